@@ -27,6 +27,12 @@ from pathlib import Path
 OF_THE_SYSTEM = re.compile(r"(ld-linux.*|lib(c|m|dl|pthread|rt|util|resolv|mvec|stdc\+\+|gcc_s))\.so\.\d+$")
 
 
+def require_programs(*names: str) -> None:
+    missing = [name for name in names if shutil.which(name) is None]
+    if missing:
+        raise SystemExit(f"{' and '.join(missing)} not found: install the Debian packages libc-bin (ldd) and patchelf")
+
+
 def output_of(*command: str) -> str:
     return subprocess.run(command, check=True, capture_output=True, text=True).stdout
 
@@ -93,14 +99,14 @@ def main() -> int:
         print(__doc__, file=sys.stderr)
         return 2
     wheel = Path(sys.argv[1])
+    require_programs("ldd", "patchelf")
     with tempfile.TemporaryDirectory(prefix="libration-wheel-") as name:
         tree = Path(name)
         unpack(wheel, tree)
         bundle(tree / "libration")
         renamed = rename_platform(tree, wheel)
         write_record(tree)
-        wheel.unlink()
-        pack(tree, renamed)
+        replace_wheel(wheel, tree, renamed)
     return 0
 
 
@@ -118,6 +124,18 @@ def pack(tree: Path, wheel: Path) -> None:
         for file in sorted(tree.rglob("*")):
             if file.is_file():
                 archive.write(file, file.relative_to(tree))
+
+
+def replace_wheel(wheel: Path, tree: Path, renamed: Path) -> None:
+    """The old wheel is removed only after the new one is complete."""
+    beside = renamed.with_name(renamed.name + ".part")
+    try:
+        pack(tree, beside)
+        os.replace(beside, renamed)
+    finally:
+        beside.unlink(missing_ok=True)
+    if wheel != renamed:
+        wheel.unlink()
 
 
 if __name__ == "__main__":

@@ -99,14 +99,14 @@ std::vector<table> tables_of_problem(const std::string& problem, const std::vect
 }
 
 const named_choice& problems_to_choose() {
-    static const named_choice result{
-        .axis = "problem",
-        .option = "--problems",
-        .help = "problems of the catalogue with a known asymptotic behaviour: LIST, or all",
-        .remedy = "write names such as blasius,sir, or all",
-        .what = "not a problem with a known asymptotic behaviour: choose among " +
-                fmt::format("{}", fmt::join(problems_with_far_behaviour(), ", ")),
-        .names = problems_with_far_behaviour()};
+    static const named_choice result{.axis = "problem",
+                                     .option = "--problems",
+                                     .help = "problems of the catalogue with a known asymptotic behaviour",
+                                     .forms = "LIST, or all",
+                                     .remedy = "write names such as blasius,sir, or all",
+                                     .what = "not a problem with a known asymptotic behaviour: choose among " +
+                                             fmt::format("{}", fmt::join(problems_with_far_behaviour(), ", ")),
+                                     .names = problems_with_far_behaviour()};
     return result;
 }
 

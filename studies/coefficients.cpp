@@ -47,8 +47,8 @@ mpfr inverse_envelope(const convergence::radius_estimate<mpfr>& found, int root,
 
 std::vector<coefficient_row> rows_of(const list_of_unknown& of) {
     // One order after the other: the last result is that for the whole list.
-    const auto& found =
-        std::ranges::find(of.answers.rbegin(), of.answers.rend(), of.unknown, &answered_list::unknown)->found;
+    const auto last = std::ranges::find(of.answers.rbegin(), of.answers.rend(), of.unknown, &answered_list::unknown);
+    const auto found = last == of.answers.rend() ? convergence::radius_estimate<mpfr>() : last->found;
     std::optional<mpfr> height;
     for (int n = (of.list.order() + 1) / 2; found.radius && n <= of.list.order(); ++n) {
         if (of.list[n] != 0) {

@@ -24,9 +24,7 @@ const std::string& meaning_of_routes() {
     static const std::string text =
         "of a_n: direct (pendseries), direct_parity (the same without half of the zeros), symmetric_squares (of cos "
         "theta and omega), speed (omega alone), arcsine (Jacobi function under the arcsine), arcsine_parity; from a_n "
-        "to the resummation: convolution (approxcoeffs), running_sums, alpha_beta (efficient); of an equation: start "
-        "(about the start, where zeros of a symmetry are left out), point (the same as about any other point; only "
-        "where the start is not singular)";
+        "to the resummation: convolution (approxcoeffs), running_sums, alpha_beta (efficient)";
     return text;
 }
 
@@ -57,7 +55,7 @@ template <class Row>
 column_list<Row> columns_of_routes() {
     return {energy_column<Row>(),
             {"route", meaning_of_routes(), [](const Row& r) { return r.route; }},
-            {"order", "N, last power of the series (of all unknowns); last index of the resummed series",
+            {"order", "N, last power of the series; last index of the resummed series",
              [](const Row& r) { return r.order; }},
             {"unknown", "all: the coefficients of one need those of the others", [](const Row&) { return "all"; }}};
 }
@@ -118,14 +116,13 @@ struct time_row {
 
 const column_list<time_row>& time_columns() {
     using row = time_row;
-    static const auto all = with_typed_energy(
-        joined<row>(columns_of_routes<row>(),
-                    {{"scalar", "arithmetic", [](const row& r) { return r.scalar; }},
-                     {"seconds", "median of nine runs (of an equation five) on this machine, one thread, s",
-                      [](const row& r) { return decimal_cell(r.seconds, digits_of_ratios); }},
-                     {"log10_seconds", "log10 of it", [](const row& r) { return log10_cell(r.seconds); }},
-                     {"ratio", "in units of the route direct",
-                      [](const row& r) { return ratio_cell(r.seconds, r.direct_seconds); }}}));
+    static const auto all = with_typed_energy(joined<row>(
+        columns_of_routes<row>(), {{"scalar", "arithmetic", [](const row& r) { return r.scalar; }},
+                                   {"seconds", "median of nine runs on this machine, one thread, s",
+                                    [](const row& r) { return decimal_cell(r.seconds, digits_of_ratios); }},
+                                   {"log10_seconds", "log10 of it", [](const row& r) { return log10_cell(r.seconds); }},
+                                   {"ratio", "in units of the route direct",
+                                    [](const row& r) { return ratio_cell(r.seconds, r.direct_seconds); }}}));
     return all;
 }
 
@@ -221,15 +218,26 @@ namespace of_equation {
 namespace {
 
 constexpr int runs = 5;
+const char* const meaning_of_order = "N, last power of the series of all unknowns";
+const char* const meaning_of_tapes =
+    "start: about the start, where zeros of a symmetry are left out | point: the same as about any other point; only "
+    "where the start is not singular";
 
 const column_list<count_row>& count_columns() {
     static const auto all = columns_named(
-        "order,route,multiplications,nonzero_multiplications,divisions,additions,by_integers,steps,unknown", columns());
+        "order,route,multiplications,nonzero_multiplications,divisions,additions,by_integers,steps,unknown",
+        with_meanings(columns(), {{"order", meaning_of_order},
+                                  {"route", meaning_of_tapes},
+                                  {"nonzero_multiplications", "those where neither factor is 0"}}));
     return all;
 }
 
 const column_list<time_row>& own_time_columns() {
-    static const auto all = columns_named("order,route,scalar,seconds,log10_seconds,unknown", time_columns());
+    static const auto all = columns_named(
+        "order,route,scalar,seconds,log10_seconds,unknown",
+        with_meanings(time_columns(), {{"order", meaning_of_order},
+                                       {"route", meaning_of_tapes},
+                                       {"seconds", "median of five runs on this machine, one thread, s"}}));
     return all;
 }
 

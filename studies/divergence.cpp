@@ -239,7 +239,7 @@ const study& divergence() {
                 "line, more terms follow the solution further; beyond it they leave it, the sooner and the steeper the "
                 "more there are. The solution itself may go on smoothly there: what bounds the series is a singularity "
                 "at a complex time.",
-            .parameters = {{"--times", "", "times at which the sums are taken"},
+            .parameters = {required_times("times at which the sums are taken"),
                            {"--orders", "5,10,20,40,80", "N, last power of the series"},
                            {"--digits", "20", "digits of every number; the largest of a list"}},
             .example = {"blasius", {}},

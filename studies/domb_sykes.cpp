@@ -41,9 +41,7 @@ const column_list<ratio_row>& columns() {
          }},
         {"n", "power of the later coefficient", [](const row& r) { return r.n; }},
         {"inverse_n", "1/n", [](const row& r) { return decimal_cell(mpfr(mpfr(1) / r.n), r.digits); }},
-        {"ratio",
-         "a_n/a_(n-p), in the unit of the variable to the power -p; empty where a_(n-p) is 0, and the ratio not "
-         "defined",
+        {"ratio", "a_n/a_(n-p), in the unit of the variable to the power -p",
          [](const row& r) { return decimal_cell(r.ratio(), r.digits); }},
         {"log10_abs_ratio", "log10 of its size", [](const row& r) { return log10_cell(r.ratio()); }},
         {"scaled_ratio", "ratio times R^p with the exact radius R",
@@ -127,7 +125,12 @@ plot plot_in(const plotted& p, int power) {
 const column_list<ratio_row>& ratio_columns() {
     static const auto all = columns_named(
         "energy,point,power,n,inverse_n,ratio,scaled_ratio,log10_scaled_ratio,line,gap,energy_typed,gap_typed",
-        columns());
+        with_meanings(
+            columns(),
+            {{"power", "p: the series is taken in t^p"},
+             {"n", "power of t of the later coefficient"},
+             {"ratio",
+              "a_n/a_(n-p), in (dimensionless time)^-p; empty where a_(n-p) is 0, and the ratio not defined"}}));
     return all;
 }
 

@@ -24,14 +24,6 @@ namespace {
 
 constexpr long guard_digits = 15;
 
-const column_list<norm_row>& own_columns() {
-    static const auto all = columns_named(
-        "energy,order,method,norm,time_of_maximum,scalar,rigour,gap,bound,log10_norm,log10_bound,log10_gap,"
-        "energy_typed,gap_typed",
-        columns());
-    return all;
-}
-
 // One requested norm.
 struct asked_norm {
     int order;
@@ -112,7 +104,7 @@ table proved_rows_at(const sweep_energy& at, const std::vector<int>& orders, con
         rows.push_back(
             row_of(at, asked[i], bounds, scalar, cell::number(norms[i].text, scalar.digits), times[i], "proved"));
     }
-    return make_table(own_columns(), rows);
+    return make_table(columns_of_pendulum(), rows);
 }
 
 // All rows of one energy in arithmetics that round, in one table for each scalar.
@@ -144,7 +136,7 @@ std::vector<table> rounded_rows_at(const sweep_energy& at, const std::vector<int
     }
     std::vector<table> tables;
     for (const auto& in_scalar : rows) {
-        tables.push_back(make_table(own_columns(), in_scalar));
+        tables.push_back(make_table(columns_of_pendulum(), in_scalar));
     }
     return tables;
 }
@@ -189,7 +181,7 @@ study_plan plan(const study_request& request) {
     std::vector<study_table> tables;
     for (const scalar_spec& scalar : scalars) {
         const bool alone = request.scalar || scalar.kind == scalar_kind::proved;
-        tables.push_back(head_of(alone ? "" : scalar.name(), scalar, own_columns()));
+        tables.push_back(head_of(alone ? "" : scalar.name(), scalar, columns_of_pendulum()));
     }
     if (!marches.empty()) {
         tables.push_back(head_of("baseline", marches.front().scalar, baseline_columns()));
@@ -337,7 +329,7 @@ const study& error_norm() {
                 "the slope of the solution at the far end. Behind the marks the line of the rate reach/R with the "
                 "radius that the coefficients show. The solution is marched by Taylor series in two precisions; with "
                 "--scalar ball:D it is enclosed, and the norms of series and approximants are proved.",
-            .parameters = {{"--times", "", "the interval, as times at which the error is taken"},
+            .parameters = {required_times("the interval, as times at which the error is taken"),
                            {"--orders", "5:60:12", "N, last power of the list"},
                            {"--scalar", "mpfr:20", "arithmetic of the approximation"}},
             .example = {"blasius", {}},

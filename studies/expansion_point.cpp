@@ -245,7 +245,7 @@ const study& expansion_point() {
                        "tests see it. Right: the factor by which one more power reduces the error on the whole "
                        "interval. Below 1, the line, a single series covers it; the best point is where the factor is "
                        "least.",
-            .parameters = {{"--times", "", "expansion points; the first and the last are the ends of the interval"},
+            .parameters = {required_times("expansion points; the first and the last are the ends of the interval"),
                            {"--orders", "80", "N, last powers of the lists under test"},
                            {"--scalar", "mpfr:30", "arithmetic of the lists under test"}},
             .example = {"blasius", {}},

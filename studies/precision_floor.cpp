@@ -33,19 +33,15 @@ const column_list<floor_row>& columns() {
     };
     static const column_list<row> all{
         energy_column<row>(),
-        {"order", "N, last power of the series; last index of the resummed series",
-         [](const row& r) { return r.order; }},
-        {"method", "series | resummed | pade: [m/m] with 2 m <= N, without the powers that a symmetry leaves out",
+        {"order", "N, last power of the series", [](const row& r) { return r.order; }},
+        {"method", "series | pade: [m/m] with 2 m <= N, without the powers that a symmetry leaves out",
          [](const row& r) { return r.method; }},
         {"scalar", "arithmetic of coefficients and evaluation; mpfr without guard digits",
          [](const row& r) { return r.scalar.name(); }},
-        {"norm",
-         "max of |approximation - solution| over the times, of the pendulum over 1001 points of [0, T*] and the place "
-         "of exact_norm, in the unit of the unknown",
-         number(&row::norm)},
-        {"exact_norm", "the same without rounding, of the pendulum as a true maximum", number(&row::exact_norm)},
+        {"norm", "max of |approximation - solution| over the times, in the unit of the unknown", number(&row::norm)},
+        {"exact_norm", "the same without rounding", number(&row::exact_norm)},
         {"norm_in_epsilon", "norm/epsilon", [](const row& r) { return decimal_cell(mpfr(r.norm / r.epsilon), 6); }},
-        {"epsilon", "unit in the last place of 1; with --problem times the largest value of the unknown at the times",
+        {"epsilon", "unit in the last place of 1 times the largest value of the unknown at the times",
          number(&row::epsilon)},
         {"floor", "yes where rounding is more than half of norm",
          [](const row& r) { return r.exact_norm * 2 < r.norm ? "yes" : "no"; }},
@@ -78,7 +74,15 @@ const column_list<floor_row>& own_columns() {
     static const auto all = with_typed_energy(columns_named(
         "energy,order,method,scalar,norm,exact_norm,norm_in_epsilon,epsilon,floor,log10_norm,log10_exact_norm,"
         "log10_epsilon,gap",
-        columns()));
+        with_meanings(
+            columns(),
+            {{"order", "N, last power of the series; last index of the resummed series"},
+             {"method", "series | resummed"},
+             {"norm",
+              "max of |approximation - theta| over 1001 points of [0, T*] and the place of exact_norm, radians"},
+             {"exact_norm", "the same in exact arithmetic, as a true maximum, radians"},
+             {"norm_in_epsilon", "norm over the unit in the last place of 1"},
+             {"epsilon", "unit in the last place of 1"}})));
     return all;
 }
 
@@ -227,7 +231,7 @@ const study& precision_floor() {
                                      "lines at the right are the epsilon of each arithmetic times the size of the "
                                      "unknown. Each curve follows the norm without rounding down to its floor; how "
                                      "many epsilon that is, is the column norm_in_epsilon.",
-                          .parameters = {{"--times", "", "the interval, as times at which the error is taken"},
+                          .parameters = {required_times("the interval, as times at which the error is taken"),
                                          {"--orders", "4:100:25", "N, last power of the list"},
                                          {"--scalar", "double, long-double and quad", "arithmetic"}},
                           .example = {"blasius", {}},

@@ -23,30 +23,27 @@ struct norm_row {
     std::string unknown = {};          ///< of an equation
 };
 
-/// All columns of norms, from which the tables of the pendulum and of an equation choose.
+/// All columns of norms, from which the tables of the pendulum and of an equation choose, with the meanings of the
+/// latter.
 inline const column_list<norm_row>& columns() {
     using row = norm_row;
     static const auto all = with_typed_energy<row>({
         energy_column<row>(),
-        {"order", "N, last power of the series; last index of the resummed series",
-         [](const row& r) { return r.order; }},
+        {"order", "N, last power of the series about the start", [](const row& r) { return r.order; }},
         {"method",
-         "series | resummed | pade: [m/m] with 2 m <= N, without the powers that a symmetry leaves out | endpoint: "
-         "with value and slope of the far end of the times",
+         "series | pade: [m/m] with 2 m <= N, without the powers that a symmetry leaves out | endpoint: with value and "
+         "slope of the far end of the times",
          [](const row& r) { return r.method; }},
         {"norm",
-         "max of |approximation - solution| over the times, in the unit of the unknown (of the pendulum over [0, T*], "
-         "radians); empty where that is not decided",
+         "max of |approximation - solution| over the times, in the unit of the unknown; empty where that is not "
+         "decided",
          [](const row& r) { return r.norm; }},
-        {"time_of_maximum",
-         "dimensionless time since the top, with ball the digits that are proved; of an equation which of the times, "
-         "empty where the norm is 0",
+        {"time_of_maximum", "which of the times, in the unit of the variable; empty where the norm is 0",
          [](const row& r) { return r.time; }},
         {"scalar", "arithmetic of the approximation", [](const row& r) { return r.scalar.name(); }},
         {"rigour",
-         "proved: with --scalar ball:D | two-method: for the pendulum confirmed by the sum over separatrix solutions, "
-         "else two marches and series of other precisions agree | heuristic | not decided: no precision tells it from "
-         "0, as where the approximation is the solution",
+         "two-method: two marches and series of other precisions agree | heuristic | proved: with --scalar ball:D | "
+         "not decided: no precision tells it from 0, as where the approximation is the solution",
          [](const row& r) { return r.rigour; }},
         gap_column<row>(),
         {"bound", "theorem A (series) or A2 (resummed), radians; empty below the orders where they hold",
@@ -56,6 +53,20 @@ inline const column_list<norm_row>& columns() {
         log10_gap_column<row>(),
         unknown_column<row>(),
     });
+    return all;
+}
+
+/// Those of the pendulum.
+inline const column_list<norm_row>& columns_of_pendulum() {
+    static const auto all = columns_named(
+        "energy,order,method,norm,time_of_maximum,scalar,rigour,gap,bound,log10_norm,log10_bound,log10_gap,"
+        "energy_typed,gap_typed",
+        with_meanings(columns(),
+                      {{"order", "N, last power of the series; last index of the resummed series"},
+                       {"method", "series | resummed"},
+                       {"norm", "max of |approximation - theta| over [0, T*], radians"},
+                       {"time_of_maximum", "dimensionless time since the top; with ball the digits that are proved"},
+                       {"rigour", "proved | two-method: confirmed by the sum over separatrix solutions | heuristic"}}));
     return all;
 }
 

@@ -54,7 +54,7 @@ const column_list<map_row>& columns() {
         "energy,point,order,radius,uncertainty,exact,relative_error,log10_relative_error,log10_relative_uncertainty,"
         "position_re,position_im,position_error,log10_position_error,kind,count,rate,tstar,height,gap,log10_gap,note,"
         "energy_typed,gap_typed",
-        joined(own, columns_within(answer_columns(), &row::of)));
+        joined(own, columns_within(answer_columns_of_pendulum(), &row::of)));
     return all;
 }
 

@@ -241,7 +241,7 @@ const study& radius_tournament() {
                        {"--gaps", "1e-10,-1e-10", "energies as 2 - E"},
                        {"--points", "0,2/5,1", "expansion points, fractions of T*: 0 the top, 1 the bottom"},
                        {"--orders", "25,50,100,200", "N, last powers of the lists"},
-                       {"--scalar", "", "arithmetic of coefficients and tests; without it double and mpfr:60"}},
+                       {"--scalar", "double and mpfr:60", "arithmetic of coefficients and tests"}},
         .quick = {{"--energies", "1.71", ""},
                   {"--orders", "20", ""},
                   {"--points", "0", ""},

@@ -62,7 +62,9 @@ const column_list<root_row>& columns_of_pendulum() {
     static const auto all = columns_named(
         "energy,point,n,root,corrected,exact,root_error,corrected_error,log10_root_error,log10_corrected_error,"
         "amplitude,gap,energy_typed,gap_typed",
-        columns());
+        with_meanings(columns(), {{"n", "power of t; those with a_n = 0 are left out"},
+                                  {"root", "|a_n|^(-1/n), dimensionless time"},
+                                  {"corrected", "|n a_n|^(-1/n), dimensionless time"}}));
     return all;
 }
 

@@ -33,23 +33,23 @@ const column_list<terms_row>& columns() {
     static const column_list<row> all{
         energy_column<row>(),
         gap_column<row>(),
-        {"digits", "D: the error norm is to be at most 10^-D, in the unit of the unknown (radians)",
+        {"digits", "D: the error norm is to be at most 10^-D, in the unit of the unknown",
          [](const row& r) { return r.digits; }},
-        {"method", "series | resummed | endpoint: with value and slope of the far end of the times",
+        {"method", "series | endpoint: with value and slope of the far end of the times",
          [](const row& r) { return r.method; }},
         {"order",
          "least N whose norm, and that of every larger order looked at, is at most 10^-D; empty where there is none "
-         "(heuristic: errors at sampled times; true norms of the pendulum where they are near 10^-D)",
+         "(heuristic: errors at sampled times)",
          [](const row& r) { return r.order ? cell(*r.order) : cell(); }},
         {"terms", "numbers that are not 0 in the polynomial: a_n up to N, and alpha and beta of the resummation",
          [](const row& r) { return r.terms; }},
         {"predicted",
-         "D ln 10/ln(R/reach) of the rate of the series, reach the length of the interval (T*); empty where that "
+         "D ln 10/ln(R/reach) of the rate of the series, reach the length of the interval; empty where that "
          "diverges",
          [](const row& r) { return decimal_cell(r.predicted, printed_digits); }},
         {"proved_order", "least N for which theorem A (series) or A2 (resummed) proves the same",
          [](const row& r) { return r.proved; }},
-        {"norm", "max of |approximation - solution| over the times, or [0, T*], at N",
+        {"norm", "max of |approximation - solution| over the times at N, in the unit of the unknown",
          [](const row& r) { return decimal_cell(r.norm, printed_digits); }},
         {"norm_before", "the same at N - 1, above 10^-D; empty for N = 0",
          [](const row& r) { return decimal_cell(r.before, printed_digits); }},
@@ -72,7 +72,15 @@ namespace {
 const column_list<terms_row>& own_columns() {
     static const auto all = with_typed_energy(columns_named(
         "energy,gap,digits,method,order,terms,predicted,proved_order,norm,norm_before,log10_norm,log10_gap",
-        columns()));
+        with_meanings(
+            columns(),
+            {{"digits", "D: the error norm is to be at most 10^-D radians"},
+             {"method", "series | resummed"},
+             {"order",
+              "least N whose norm, and that of every larger order, is at most 10^-D (heuristic: errors at sampled "
+              "times, true norms where they are near 10^-D)"},
+             {"predicted", "D ln 10/ln(R/T*)"},
+             {"norm", "max of |approximation - theta| over [0, T*] at N, radians"}})));
     return all;
 }
 
@@ -245,7 +253,7 @@ const study& terms() {
                 "endpoint approximant, and thin what the rate of the series alone predicts, D ln 10/ln(R/reach). Where "
                 "the interval ends near the circle of convergence every digit costs many terms, and beyond it no "
                 "number is enough.",
-            .parameters = {{"--times", "", "the interval, as times at which the error is taken"},
+            .parameters = {required_times("the interval, as times at which the error is taken"),
                            {"--digits", "5:50:10", "D, digits after the decimal point"}},
             .example = {"blasius", {"k=0.1,0.332,1"}},
             .example_words = {{"--times", "0:3:31"}},

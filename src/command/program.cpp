@@ -120,13 +120,17 @@ int complain_of_range(const CLI::App& command, const libration::error& problem) 
                     bad_input);
 }
 
+int complain_of_input(const libration::input_error& problem) {
+    const auto offered = libration::words_offered(problem.remedy());
+    return complain(problem.line_with(libration::suggestion(problem.value(), offered)), bad_input);
+}
+
 // Runs a subcommand; exceptions become a message of one line and an exit code.
 int run(const libration::subcommand& command) {
     try {
         return command.run();
     } catch (const libration::input_error& problem) {
-        const auto offered = libration::words_offered(problem.remedy());
-        return complain(problem.line_with(libration::suggestion(problem.value(), offered)), bad_input);
+        return complain_of_input(problem);
     } catch (const libration::error& problem) {
         switch (problem.kind()) {
             case libration::error_kind::undecided: return complain(libration::message_of(problem), failed);
@@ -206,6 +210,8 @@ int libration::run_program(int argc, char** argv) {
     } catch (const CLI::ParseError& problem) {
         return problem.get_exit_code() == 0 ? say_help(program, problem)
                                             : complain_of_usage(program, with_short_words(problem.what(), argc, argv));
+    } catch (const libration::input_error& problem) {
+        return complain_of_input(problem);
     }
     const auto chosen = std::find_if(commands.begin(), commands.end(),
                                      [](const libration::subcommand& each) { return each.options->parsed(); });

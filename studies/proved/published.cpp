@@ -215,7 +215,8 @@ table rows_of_kind(const kind_of_value& of) {
 const named_choice& values_to_choose() {
     static const named_choice result{.axis = "value_of",
                                      .option = "--values",
-                                     .help = "published values: LIST, or all",
+                                     .help = "published values",
+                                     .forms = "LIST, or all",
                                      .remedy = "write names such as blasius,lorenz_orbit, or all",
                                      .what = "not a set of values of this study",
                                      .names = members_of(kinds(), &kind_of_value::name)};

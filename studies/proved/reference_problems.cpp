@@ -117,7 +117,8 @@ std::vector<table> tables_of(const test_problem& of, long digits) {
 const named_choice& problems_to_choose() {
     static const named_choice result{.axis = "problem",
                                      .option = "--problems",
-                                     .help = "problems of the set: LIST, or all",
+                                     .help = "problems of the set",
+                                     .forms = "LIST, or all",
                                      .remedy = "write names such as lorenz,kepler, or all",
                                      .what = "not a problem of this set",
                                      .names = members_of(test_problems(), &test_problem::name)};

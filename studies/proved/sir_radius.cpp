@@ -148,8 +148,7 @@ axis axis_named(const std::string& name, const std::string& help) {
 
 const problem_family& epidemics() {
     static const problem_family result{"SIR epidemics",
-                                       {axis_named("reproduction", "r S(0)/a: LIST or a:b:count"),
-                                        axis_named("infected", "r I(0)/a: LIST or a:b:count")}};
+                                       {axis_named("reproduction", "r S(0)/a"), axis_named("infected", "r I(0)/a")}};
     return result;
 }
 

@@ -79,7 +79,8 @@ const column_list<solver_row>& columns() {
 const named_choice& problems_to_choose() {
     static const named_choice result{.axis = "problem",
                                      .option = "--problems",
-                                     .help = "problems of the set: LIST, or all",
+                                     .help = "problems of the set",
+                                     .forms = "LIST, or all",
                                      .remedy = "write names such as lorenz,kepler, or all",
                                      .what = "not a problem of this study",
                                      .names = {"arenstorf",
@@ -108,7 +109,8 @@ const named_choice& problems_to_choose() {
 const named_choice& solvers_to_choose() {
     static const named_choice result{.axis = "solver",
                                      .option = "--solvers",
-                                     .help = "libraries: odeint, gsl, sundials, scipy, mpmath, or all",
+                                     .help = "libraries",
+                                     .forms = "LIST of odeint, gsl, sundials, scipy and mpmath, or all",
                                      .remedy = "write names such as odeint,gsl, or all",
                                      .what = "not a solver of this study",
                                      .names = members_of(solver_peers(), &solver_peer::name)};

@@ -63,6 +63,9 @@ inline std::vector<ode::number> times_of(const study_request& request, std::size
     return times;
 }
 
+/// The parameter --times of an equation, which times_of requires.
+inline study_parameter required_times(const std::string& meaning) { return {"--times", "", meaning, true}; }
+
 /// A text without commas, which would separate it in a table.
 inline std::string without_commas(std::string text) {
     std::ranges::replace(text, ',', ';');

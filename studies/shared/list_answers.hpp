@@ -66,18 +66,16 @@ inline const column_list<answered_list>& answer_columns() {
         {"relative_error", "|radius/exact - 1|",
          [](const row& r) { return decimal_cell(relative_error(r), digits_of_errors); }},
         {"log10_relative_error", "log10 of relative_error", [](const row& r) { return log10_cell(relative_error(r)); }},
-        {"log10_relative_uncertainty", "log10 of uncertainty/exact, where that is known, or of uncertainty/radius",
-         if_found([](const row& r) {
+        {"log10_relative_uncertainty", "log10 of uncertainty/radius", if_found([](const row& r) {
              return log10_cell(mpfr(r.found.uncertainty / (r.true_radius ? *r.true_radius : *r.found.radius)));
          })},
         {"position_re", "Re of a nearest singularity, from the expansion point", place(&complex_number<mpfr>::re)},
         {"position_im", "Im of it", place(&complex_number<mpfr>::im)},
-        {"kind", "of the singularity: unknown | pole | logarithm (of the pendulum) | algebraic | boundary",
+        {"kind", "unknown | pole | logarithm | algebraic | boundary",
          if_found([](const row& r) { return convergence::name_of(r.found.kind); })},
         {"exponent", "nu of (1 - x/x0)^nu there, where it was measured",
          if_found([](const row& r) { return decimal_cell(r.found.exponent, std::min(r.digits, 10L)); })},
-        {"count",
-         "singularities on the circle; 0 where the test does not tell; of the pendulum 4 about the top and 2 elsewhere",
+        {"count", "singularities on the circle; 0 where the test does not tell",
          if_found([](const row& r) { return r.found.count; })},
         {"note", "which test decided, or why there is no radius", [](const row& r) { return r.found.note; }},
         gap_column<row>(),
@@ -87,12 +85,27 @@ inline const column_list<answered_list>& answer_columns() {
     return all;
 }
 
+/// The same with the meanings of the pendulum.
+inline const column_list<answered_list>& answer_columns_of_pendulum() {
+    static const auto all = with_meanings(
+        answer_columns(),
+        {{"order", "N, last power of t of the list"},
+         {"radius", "estimated radius of convergence, dimensionless time; empty where the test does not apply"},
+         {"uncertainty", "that the test gives, dimensionless time: an estimate, not a bound"},
+         {"log10_relative_uncertainty", "log10 of uncertainty/exact"},
+         {"position_re", "Re of the estimated nearest singularity, from the point, dimensionless time"},
+         {"kind", "of the singularity by the verdict: logarithm is right"},
+         {"count", "singularities on the circle by the verdict: 4 about the top and 2 elsewhere is right"}});
+    return all;
+}
+
 /// The columns of a table of the pendulum with all tests, and of one of an equation.
 inline const column_list<answered_list>& judged_answer_columns() {
     static const auto all = columns_named(
         "energy,point,order,method,radius,uncertainty,exact,relative_error,log10_relative_error,"
         "log10_relative_uncertainty,note,energy_typed,gap_typed",
-        answer_columns());
+        with_meanings(answer_columns_of_pendulum(),
+                      {{"note", "why there is no radius, or what a reader should know"}}));
     return all;
 }
 inline const column_list<answered_list>& result_columns() {

@@ -16,6 +16,7 @@ struct named_choice {
     std::string axis;    ///< of the study
     std::string option;  ///< --problems
     std::string help;
+    std::string forms;  ///< what may be written
     std::string remedy;
     std::string what;  ///< completes "has 'x', which is ...": "not a problem of this set"
     std::vector<std::string> names;
@@ -26,6 +27,7 @@ inline axis axis_of(const named_choice& of) {
     return {.name = of.axis,
             .option = of.option,
             .help = of.help,
+            .forms = of.forms,
             .form = axis_form::words,
             .remedy = of.remedy,
             .check =

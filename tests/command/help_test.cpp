@@ -3,10 +3,12 @@
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "command/printed.hpp"
+#include "command/refusal.hpp"
 #include "sweep/study.hpp"
 
 namespace command_help_test {
@@ -38,6 +40,16 @@ words examples_in(const std::string& help) {
         }
     }
     return examples;
+}
+
+// The words of a text, with one blank between them.
+std::string one_line(const std::string& text) {
+    std::istringstream items(text);
+    std::string line;
+    for (std::string item; items >> item;) {
+        line += (line.empty() ? "" : " ") + item;
+    }
+    return line;
 }
 
 void require_narrow(const std::string& help) {
@@ -77,6 +89,7 @@ TEST_CASE("the help of a study has its options only, with their defaults", "[com
         require_narrow(help);
         CHECK(help.starts_with(each->name + ": "));
         CHECK(examples_in(help).size() == 2);
+        CHECK(help.find("\n\n\n") == std::string::npos);
         for (const libration::study_parameter& parameter : each->parameters) {
             CHECK(help.find("  " + parameter.option + " ") != std::string::npos);
         }
@@ -85,6 +98,30 @@ TEST_CASE("the help of a study has its options only, with their defaults", "[com
     const std::string sir = output_of({"study", "sir_radius", "--help"});
     CHECK(sir.find("r S(0)/a (default: 1/2,1,3/2,2,3,4,6,8)") != std::string::npos);
     CHECK(sir.find("--energies") == std::string::npos);
+}
+
+TEST_CASE("the help of a study says which forms an option accepts and what is required", "[command][help]") {
+    // As one line: where it is wrapped depends on the defaults.
+    const auto help_of = [](const std::string& name) { return one_line(output_of({"study", name, "--help"})); };
+    const std::string norm = help_of("error_norm");
+    CHECK(norm.find("energies E, in m g l (default: 1e-3,1e-2,0.05:1.95:39,2.02,2.05:2.95:19,3:8:26): LIST, a:b:count "
+                    "or a:b:COUNTlog") != std::string::npos);
+    CHECK(norm.find("with --problem (required): LIST") != std::string::npos);
+    CHECK(norm.find("ball:DIGITS (proved)") != std::string::npos);
+    const std::string root = help_of("root_test");
+    CHECK(root.find("--scalar S arithmetic of the lists under test (default: mpfr:30): double, long-double, quad or "
+                    "mpfr:DIGITS --problem P any equation") != std::string::npos);
+    const std::string coefficients = help_of("coefficients");
+    CHECK(coefficients.find("--problem P the equation (required): ") != std::string::npos);
+    CHECK(coefficients.find("with --problem") == std::string::npos);
+    CHECK(help_of("solvers").find("LIST of odeint, gsl, sundials, scipy and mpmath, or all") != std::string::npos);
+    CHECK(help_of("divergence")
+              .find("multiples of T allowed; times at which the sums are taken, with --problem "
+                    "(required): LIST, a:b:count or a:b:COUNTlog") != std::string::npos);
+}
+
+TEST_CASE("--help of an unknown study is refused with a similar name", "[command][help]") {
+    check_refused({"study", "eror_norm", "--help"}, {"study 'eror_norm' is not a study", "error_norm"});
 }
 
 }  // namespace command_help_test

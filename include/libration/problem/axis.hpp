@@ -15,10 +15,11 @@ enum class axis_form { numbers, whole, words, one_number };
 
 /// An axis.
 struct axis {
-    std::string name;       ///< gap
-    std::string option;     ///< --gaps
-    std::string help;       ///< a description of its values, for the command line
-    std::string unit = {};  ///< of the values; empty for pure numbers
+    std::string name;        ///< gap
+    std::string option;      ///< --gaps
+    std::string help;        ///< a description of its values, for the command line
+    std::string forms = {};  ///< what may be written; empty if `form` says it all
+    std::string unit = {};   ///< of the values; empty for pure numbers
     axis_form form;
     std::string remedy;  ///< the advice printed for an invalid value
     /// Throws error with the reason why a value (of an axis of words: its text) is outside the range, as

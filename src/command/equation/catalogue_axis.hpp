@@ -14,7 +14,8 @@ inline const problem_family& catalogue_as_problem() {
     static const problem_family result{"catalogue",
                                        {{.name = "problem",
                                          .option = "--problems",
-                                         .help = "names of the catalogue: a,b,c, or all",
+                                         .help = "names of the catalogue",
+                                         .forms = "a,b,c, or all",
                                          .form = axis_form::words,
                                          .remedy = "write names of `libration problems`, or all",
                                          .check =

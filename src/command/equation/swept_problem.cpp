@@ -79,7 +79,8 @@ problem_family axes_of(const swept_problem& of) {
                            .coordinate = "time"});
     result.axes.push_back({.name = "unknown",
                            .option = "--unknowns",
-                           .help = "unknowns of --problem: a,b,c; default all",
+                           .help = "unknowns of --problem; default all",
+                           .forms = "a,b,c",
                            .form = axis_form::words,
                            .remedy = "write some of " + listed,
                            .check = require_unknown,

@@ -21,6 +21,14 @@ class wrapped_layout : public CLI::Formatter {
 public:
     wrapped_layout() { column_width(help_column); }
 
+    // CLI11 ends the last group that is shown with a blank line of its own if hidden options follow.
+    std::string make_help(const CLI::App* command, std::string name, CLI::AppFormatMode mode) const override {
+        std::string text = Formatter::make_help(command, std::move(name), mode);
+        for (auto at = text.find("\n\n\n"); at != std::string::npos; at = text.find("\n\n\n", at)) {
+            text.erase(at, 1);
+        }
+        return text;
+    }
     std::string make_option(const CLI::Option* option, bool is_positional) const override {
         return wrapped(Formatter::make_option(option, is_positional), help_column);
     }

@@ -153,6 +153,20 @@ std::string scalars_offered(arithmetics offered) {
                                             : "double, long-double, quad, mpfr:DIGITS or ball:DIGITS (proved)";
 }
 
+// What may be written for an axis.
+std::string forms_of_axis(const axis& along) {
+    if (!along.forms.empty()) {
+        return along.forms;
+    }
+    switch (along.form) {
+        case axis_form::numbers: return "LIST, a:b:count or a:b:COUNTlog";
+        case axis_form::whole: return "LIST or a:b:count, integers";
+        case axis_form::words: return "LIST";
+        case axis_form::one_number: return "a number";
+    }
+    throw std::logic_error("an axis of an unknown form");
+}
+
 // Whether an argument was given for the coordinate of this axis.
 bool coordinate_chosen(const study& what, const axis& along, const study_words& words) {
     return std::any_of(words.begin(), words.end(), [&](const auto& said) {
@@ -193,14 +207,14 @@ void fill(study_order& order, const study_parameter& own, const study_words& wor
 const std::vector<axis>& study_axes() {
     static const std::vector<axis> all{{.name = "order",
                                         .option = "--orders",
-                                        .help = "orders N: LIST or a:b:count, integers",
+                                        .help = "orders N",
                                         .form = axis_form::whole,
                                         .remedy = "write orders such as 5,10,20 or 5:40:8",
                                         .coordinate = "order",
                                         .largest = largest_study_order},
                                        {.name = "digits",
                                         .option = "--digits",
-                                        .help = "numbers of correct digits: LIST or a:b:count",
+                                        .help = "numbers of correct digits",
                                         .form = axis_form::whole,
                                         .remedy = "write numbers such as 10,20,50",
                                         .check = require_digits,
@@ -216,12 +230,17 @@ const std::vector<axis>& study_axes() {
     return all;
 }
 
+std::string forms_of(const study& what, const std::string& option) {
+    return option == scalar_option ? scalars_offered(what.offers) : forms_of_axis(axis_of(what, option));
+}
+
 std::vector<study_option> options_of(const std::vector<const study*>& studies) {
     std::vector<study_option> all;
     const auto add = [&](const std::vector<axis>& axes) {
         for (const axis& each : axes) {
             if (std::ranges::find(all, each.option, &study_option::option) == all.end()) {
-                all.push_back({each.option, each.form == axis_form::one_number ? "X" : "LIST", each.help});
+                all.push_back({each.option, each.form == axis_form::one_number ? "X" : "LIST",
+                               each.help + ": " + forms_of_axis(each)});
             }
         }
     };

@@ -23,6 +23,9 @@ struct study_option {
 /// The options of these studies: the axes of their problems, study_axes() and --scalar.
 std::vector<study_option> options_of(const std::vector<const study*>& studies);
 
+/// What may be written for a parameter of this study: "LIST or a:b:count, integers".
+std::string forms_of(const study& what, const std::string& option);
+
 /// A study with its parameters and the words of its canonical command, without --out and --jobs.
 struct study_order {
     const study* what;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <fstream>
 #include <functional>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -84,6 +85,20 @@ column_list<Row> columns_named(const std::string& names, const column_list<Row>&
         chosen.push_back(*found);
     }
     return chosen;
+}
+
+/// The columns with other meanings, by name, where rows of another kind have another unit. Throws std::logic_error for a
+/// name that none has.
+template <class Row>
+column_list<Row> with_meanings(column_list<Row> columns, const std::map<std::string, std::string>& meanings) {
+    for (const auto& [name, meaning] : meanings) {
+        const auto found = std::ranges::find(columns, name, &column_of<Row>::name);
+        if (found == columns.end()) {
+            throw std::logic_error("the table has no column " + name);
+        }
+        found->meaning = meaning;
+    }
+    return columns;
 }
 
 /// The columns of Part, which a Row holds as the member `part`.

@@ -20,8 +20,8 @@ namespace {
 std::string text_of(const std::vector<study_parameter>& parameters) {
     std::string text;
     for (const study_parameter& parameter : parameters) {
-        text += fmt::format("    {:<12} {}\n    {:<12}   {}\n", parameter.option,
-                            parameter.usual.empty() ? "none" : parameter.usual, "", parameter.meaning);
+        text += fmt::format("    {:<12} {}\n    {:<12}   {}\n", parameter.option, parameter.usual_text(), "",
+                            parameter.meaning);
     }
     return text;
 }

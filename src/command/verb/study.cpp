@@ -179,34 +179,69 @@ bool is_general(const std::string& option) {
     return std::ranges::find(all, option) != all.end();
 }
 
-// The meaning and the default value of a study's option; std::nullopt if the study does not have it.
-std::optional<std::string> meaning_in(const study& what, const std::string& option) {
-    const auto in = [&](const std::vector<study_parameter>& parameters, const char* ending) {
-        const auto found = std::ranges::find(parameters, option, &study_parameter::option);
-        return found == parameters.end() ? std::optional<std::string>()
-                                         : fmt::format("{}{} (default: {})", found->meaning, ending,
-                                                       found->usual.empty() ? "none" : found->usual);
-    };
-    const auto own = in(what.parameters, "");
-    const auto any = what.any_equation ? in(what.any_equation->parameters, ", with --problem") : std::nullopt;
-    if (own && any) {
-        return *own + "; " + *any;
+// A parameter as --help describes it: its meaning with the default value, and what may be written for it.
+struct parameter_text {
+    std::string meaning, usual, forms;
+
+    std::string with(const std::string& ending) const { return meaning + ending + usual; }
+};
+
+std::optional<parameter_text> text_in(const study& what, const std::string& option) {
+    const auto found = std::ranges::find(what.parameters, option, &study_parameter::option);
+    if (found == what.parameters.end()) {
+        return std::nullopt;
     }
-    return own ? own : any;
+    const std::string usual = found->usual_text();
+    return parameter_text{found->meaning,
+                          found->required ? fmt::format(" ({})", usual) : fmt::format(" (default: {})", usual),
+                          forms_of(what, option)};
+}
+
+// The description of an option of a study, whose form for any equation is `about`, if there is one; std::nullopt if
+// neither has it. What both forms share is printed once.
+std::optional<std::string> description_in(const study& what, const study* about, const std::string& option) {
+    const auto own = text_in(what, option);
+    const auto any = about != nullptr ? text_in(*about, option) : std::nullopt;
+    if (!own && !any) {
+        return std::nullopt;
+    }
+    const std::string condition = what.needs_equation() ? "" : ", with --problem";
+    if (!own || !any) {
+        return own ? own->with("") + ": " + own->forms : any->with(condition) + ": " + any->forms;
+    }
+    const bool same_forms = own->forms == any->forms;
+    if (own->with("") == any->with("") && same_forms) {
+        return own->with("") + ": " + own->forms;
+    }
+    return own->with("") + (same_forms ? "" : ": " + own->forms) + "; " + any->with(condition) + ": " + any->forms;
+}
+
+constexpr const char* forms_of_problem = "a name of the catalogue, a file, or \"y' = y; y(0) = 1\"";
+
+// Only the options of the study, with its defaults.
+void narrow_options(CLI::App& command, const study& what, const study* about) {
+    for (CLI::Option* const each : command.get_options([](const CLI::Option* one) { return one->nonpositional(); })) {
+        const std::string option = "--" + (each->get_lnames().empty() ? "" : each->get_lnames().front());
+        const bool of_equations = option == "--problem" || option == "--set" || option == "--unknowns";
+        if (of_equations && what.any_equation) {
+            if (option == "--problem" && what.needs_equation()) {
+                each->description(fmt::format("the equation (required): {}", forms_of_problem));
+            }
+        } else if (const auto meaning = description_in(what, about, option)) {
+            each->description(*meaning);
+        } else if (!is_general(option) && option != "--help") {
+            each->group("");
+        }
+    }
 }
 
 // Only the options of the study that is named on the command line, with its defaults and its examples.
 void narrow_help(CLI::App& command, const study& what) {
-    for (CLI::Option* const each : command.get_options([](const CLI::Option* one) { return one->nonpositional(); })) {
-        const std::string option = "--" + (each->get_lnames().empty() ? "" : each->get_lnames().front());
-        const bool of_equations = option == "--problem" || option == "--set" || option == "--unknowns";
-        const auto meaning = meaning_in(what, option);
-        if (meaning) {
-            each->description(*meaning);
-        } else if (!(of_equations && what.any_equation) && !is_general(option) && option != "--help") {
-            each->group("");
-        }
+    std::optional<study_order> example;
+    if (what.any_equation) {
+        example = order_asked("study", what.name, what.any_equation->example, what.any_equation->quick, 1);
     }
+    narrow_options(command, what, example ? example->what : nullptr);
     command.description(fmt::format("{}: {}", what.name, what.question));
     std::string quick;
     for (const study_parameter& parameter : what.quick) {
@@ -216,23 +251,13 @@ void narrow_help(CLI::App& command, const study& what) {
     if (!what.needs_equation()) {
         examples += fmt::format("\n    libration study {}{}", what.name, quick);
     }
-    if (what.any_equation) {
-        const equation_form& form = *what.any_equation;
-        examples += "\n    " + order_asked("study", what.name, form.example, form.quick, 1).command;
+    if (example) {
+        examples += "\n    " + example->command;
     }
     if (what.needs_equation() || !what.any_equation) {
         examples += fmt::format("\n    libration studies {}", what.name);
     }
     command.footer("Examples:" + examples);
-}
-
-// The same by name; an unknown one is refused when the study is run.
-void narrow_help_to(CLI::App& command, const std::string& name) {
-    const auto all = all_studies();
-    const auto found = std::ranges::find(all, name, &study::name);
-    if (found != all.end()) {
-        narrow_help(command, **found);
-    }
 }
 
 }  // namespace
@@ -242,13 +267,13 @@ subcommand study_command(CLI::App& program) {
     CLI::App* command = program.add_subcommand("study", "run one study; 'libration studies' lists them");
     command->add_option("NAME", options->name, "name of the study")
         ->required()
-        ->each([command](const std::string& name) { narrow_help_to(*command, name); });
+        ->each([command](const std::string& name) { narrow_help(*command, study_named("study", name)); });
     for (const study_option& each : options_of(all_studies())) {
         command->add_option(each.option, options->words[each.option], each.help)->type_name(each.type_name);
     }
     command
         ->add_option("--problem", options->problem,
-                     "any equation instead of the pendulum: a name of the catalogue, a file, or \"y' = y; y(0) = 1\"")
+                     fmt::format("any equation instead of the pendulum: {}", forms_of_problem))
         ->type_name("P");
     command
         ->add_option("--set", options->sets,

@@ -49,7 +49,7 @@ void require_point(const exact& point) {
 axis energy_axis() {
     return {.name = "energy",
             .option = "--energies",
-            .help = "energies: LIST, a:b:count or a:b:COUNTlog",
+            .help = "energies",
             .unit = "m g l",
             .form = axis_form::numbers,
             .remedy = "write energies such as 0.5,1.71,2.02 or 0.1:1.9:19",
@@ -60,7 +60,7 @@ axis energy_axis() {
 axis gap_axis() {
     return {.name = "gap",
             .option = "--gaps",
-            .help = "energies as gaps 2 - E: the same forms",
+            .help = "energies as gaps 2 - E",
             .unit = "m g l",
             .form = axis_form::numbers,
             .remedy = "write gaps 2 - E such as 1e-3,-1e-3 or 1e-1:1e-12:12log",
@@ -72,7 +72,8 @@ axis gap_axis() {
 axis time_axis() {
     return {.name = "time",
             .option = "--times",
-            .help = "times, multiples of T allowed",
+            .help = "times",
+            .forms = "LIST, a:b:count or a:b:COUNTlog, multiples of T allowed",
             .unit = "sqrt(l/g)",
             .form = axis_form::numbers,
             .remedy = "write times such as 0,1.5,T/4 or a range 0:2T:401",
@@ -104,7 +105,8 @@ axis periods_axis() {
 axis period_by_axis() {
     return {.name = "period_by",
             .option = "--period-by",
-            .help = "methods for T*: agm, series:N (Kold) or resummed:N (Knew)",
+            .help = "methods for T*",
+            .forms = "LIST of agm, series:N (Kold) or resummed:N (Knew)",
             .form = axis_form::words,
             .remedy = "write methods for T* such as agm,series:100,resummed:10",
             .check = [](const exact& words) { read_period_rule(words.text); },
