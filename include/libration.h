@@ -169,8 +169,8 @@ int libration_problem_fractions(const libration_problem *problem, long first, lo
  * verdict of the nearest unknown; method, unknown, radius (with its uncertainty), position_re, position_im, exponent,
  * kind, count, note. */
 int libration_problem_radius(const libration_problem *problem, long last, long digits, libration_table **tests);
-/* Proved bounds lower <= R <= upper, upper - lower < lower 10^-digits; both inf for a linear equation with entire
- * coefficients. */
+/* Proved bounds lower <= R <= upper, upper - lower < lower 10^-digits; both inf if every solution is entire by the
+ * form of the equations. */
 int libration_problem_radius_bounds(const libration_problem *problem, long digits, libration_number **lower,
                                     libration_number **upper);
 /* The singularities within a distance of the initial point in the complex t-plane, NULL for twice that of the nearest,

@@ -106,8 +106,8 @@ class Problem:
         return radius_of(Table._of(self._problem.radius(order, digits)))
 
     def radius_bounds(self, digits: int = 12) -> tuple[Ball, Ball]:
-        """Proved lower and upper bounds, upper - lower < lower 10^-digits; both inf for a linear equation with entire
-        coefficients. Raises UndecidedError with what is proved where that is less."""
+        """Proved lower and upper bounds, upper - lower < lower 10^-digits; both inf if every solution is entire by
+        the form of the equations. Raises UndecidedError with what is proved where that is less."""
         lower, upper = self._problem.radius_bounds(digits)
         return Ball._of(lower), Ball._of(upper)
 

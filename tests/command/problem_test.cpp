@@ -317,6 +317,12 @@ TEST_CASE("what reference and find of a problem do not understand is refused", "
     check_refused({"find", "--problem", "blasius", "--unknown", "q", "--such-that", "f'(5) = 1"}, {"'q'"});
     check_refused({"find", "--problem", "blasius", "--unknown", "k", "--such-that", "f' = 1"}, {"--such-that"});
     check_refused({"find", "--problem", "blasius", "--unknown", "k", "--such-that", "f'''(5) = 1"}, {"f'''"});
+    check_refused({"find", "--problem", "van_der_pol", "--periodic", "--such-that", "x"}, {"--such-that", "'x'"});
+    check_refused({"find", "--problem", "blasius", "--unknown", "k,k", "--such-that", "f'(inf) = 1"},
+                  {"--unknown", "twice"});
+    check_refused(
+        {"find", "--problem", "blasius", "--unknown", "k", "--such-that", "f'(inf) = 1", "--such-that", "f(5) = 3"},
+        {"--such-that", "alone"});
 }
 
 TEST_CASE("the radius of a problem is that of its nearest singularity", "[command][problem]") {

@@ -31,7 +31,7 @@ TEST_CASE("a solution has states, events, series and a radius", "[problem]") {
     CHECK(states.at(1, "x") == "-0.57735026918962576451");
     CHECK(states.at(2, "x") == "0");
     CHECK_THROWS_AS(states.at(0, "y"), error);
-    CHECK_THROWS_AS(states.at(3, "x"), error);
+    CHECK_THROWS_WITH(states.at(3, "x"), Catch::Contains("row '3' is beyond the last row"));
     CHECK(x->states("pi/4", rounded_digits(15)).rigour == "two-method");
     const answer events = x->events("x = sqrt(3)", 1, proved_digits(20));
     CHECK(events.at(0, "time") == "1.0471975511965977462");  // pi/3
@@ -65,6 +65,32 @@ TEST_CASE("a solution has a radius about any point, fractions and singularities"
     CHECK_THROWS_AS(x->require_point("f(1)"), error);
 }
 
+TEST_CASE("a value that is missing has its reason, and an empty text is a value", "[problem]") {
+    const answer part{.names = {"time", "why"},
+                      .rows = {{{"1", ""}, text_value("")}, {{"", ""}, text_value("")}, {}},
+                      .rigour = "proved",
+                      .missing = error(error_kind::undecided, "time", "", "is up")};
+    CHECK(part.at(0, "time") == "1");
+    CHECK(part.at(0, "why").empty());
+    CHECK_THROWS_WITH(part.at(1, "time"), "time is up");
+    CHECK(part.at(1, "why").empty());
+    CHECK_THROWS_WITH(part.at(2, "why"), "time is up");
+    CHECK_THROWS_WITH(part.at(3, "time"), "time is up");
+}
+
+TEST_CASE("a disc without a found singularity is not proved to be free", "[problem]") {
+    const answer none = solve(problem(tangent))->singularities(1, proved_digits(10));
+    CHECK(none.rows.empty());
+    CHECK(none.rigour == "heuristic");
+    REQUIRE(none.notes.size() == 2);
+    CHECK(none.notes[0].text.ends_with("; 1 expansion point"));
+    CHECK(none.notes[1].text == "none found within 1, which does not prove that there is none");
+    const answer entire =
+        solve(problem("x' = -x + y^2; y' = y; x(0) = 0; y(0) = 1"))->singularities(1, proved_digits(10));
+    CHECK(entire.rigour == "proved");
+    CHECK(entire.notes.size() == 1);
+}
+
 // The radius of the closed form against the tests of coefficients, which do not use it.
 TEST_CASE("the radius of the pendulum is known without coefficients", "[problem]") {
     const auto theta = solve(problem("pendulum"));
@@ -86,6 +112,10 @@ TEST_CASE("unknown parameters and orbits are found", "[problem]") {
           "0.33205733621519629894");
     CHECK_THROWS_AS(find_unknowns(problem("blasius"), {"k"}, {}, proved_digits(5)), error);
     CHECK_THROWS_AS(find_unknowns(problem("blasius"), {"q"}, {"f'(5) = 1"}, proved_digits(5)), error);
+    CHECK_THROWS_WITH(find_unknowns(problem("blasius"), {"k", "k"}, {"f'(5) = 1", "f(5) = 3"}, proved_digits(5)),
+                      Catch::Contains("unknowns 'k' is given twice"));
+    CHECK_THROWS_WITH(find_unknowns(problem("blasius"), {"k"}, {"f(5) = 3", "f'(inf) = 1"}, proved_digits(5)),
+                      Catch::Contains("condition 'f'(inf) = 1' is at infinity, which is decided alone"));
 }
 
 TEST_CASE("a solution gives what it reaches and says what it does not", "[problem]") {
@@ -133,6 +163,39 @@ TEST_CASE("the pendulum is recognised however it is written", "[problem]") {
             CHECK(by_lattice.at(n, by_lattice.names[1]) == by_equations.at(n, by_lattice.names[1]));
         }
     }
+}
+
+TEST_CASE("the points of a recognised pendulum are those of any equation", "[problem]") {
+    const auto x = solve(problem("x'' = -sin(x); x(0) = 1; x'(0) = 0"));
+    const auto third = [&](const std::string& about) { return x->series(3, about, proved_digits(15)).at(3, "x"); };
+    for (const char* about : {"1+0i", "1 ", " 2/2"}) {
+        CAPTURE(about);
+        x->require_point(about);
+        CHECK(third(about) == third("1"));
+        CHECK(x->radius(about, proved_digits(8)).at(0, "lower") == x->radius("1", proved_digits(8)).at(0, "lower"));
+    }
+    CHECK(x->series(1, "1+2i", rounded_digits(5)).names.back() == "x_im");
+    CHECK_THROWS_WITH(third("1+"), Catch::StartsWith("point '1+'"));
+    CHECK_THROWS_WITH(x->radius("1+2i", proved_digits(5)), Catch::StartsWith("point '1+2i' is not real"));
+}
+
+// Energy is conserved; the progress callback ends the work after the second of four times.
+TEST_CASE("the drift of an invariant is that of the finished states", "[problem]") {
+    const auto x = solve(problem("x'' = -sin(x); x(0) = 1; x'(0) = 0; invariant x'^2/2 - cos(x)"));
+    request how = rounded_digits(20);
+    const answer all = x->states("0, 1, 2, 3", how);
+    how.progress = [](double part) {
+        if (part >= 0.5) {
+            throw error(error_kind::undecided, "time", "", "is up");
+        }
+    };
+    const answer two = x->states("0, 1, 2, 3", how);
+    CHECK(two.at(1, "x") == all.at(1, "x"));
+    CHECK_THROWS_WITH(two.at(2, "x"), "time is up");
+    REQUIRE(two.drifts.size() == 4);
+    CHECK(two.drifts[1] == all.drifts[1]);
+    CHECK(std::stod(all.drifts[3]) < 1e-20);
+    CHECK(two.drifts[2].empty());
 }
 
 TEST_CASE("what is not the pendulum is not taken for it", "[problem]") {

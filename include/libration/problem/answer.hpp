@@ -80,7 +80,8 @@ struct answer {
     /// For proved states: where collocation was used, one entry per independent subsystem and direction of time.
     std::vector<ode::collocation_use> collocation = {};
 
-    /// The decimal of a row and a column. Throws the error of missing values, and error for an unknown name.
+    /// The decimal or the words, which may be empty, of a row and a column. Throws `missing` for a value that is
+    /// missing, rows beyond the last included, and error for an unknown name and, if nothing is missing, such a row.
     const std::string& at(std::size_t row, const std::string& name) const;
 };
 

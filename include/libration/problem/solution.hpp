@@ -81,7 +81,8 @@ public:
     /// nearest, on the branch reached along rays from it: position_re, position_im, modulus, uncertainty, kind,
     /// exponent_re, exponent_im, rigour, unknown, coefficient_re, coefficient_im, resonances, evidence. Heuristic; for
     /// a request in balls each position is proved, and those that are not have the reason as evidence. A note states
-    /// what was searched. Throws error of the kind undecided if no distance is given and none is found.
+    /// what was searched; if none is found there, another that this proves nothing, and the answer is heuristic. Throws
+    /// error of the kind undecided if no distance is given and none is found.
     virtual answer singularities(const std::optional<double>& within, const request& how) const = 0;
 
 protected:

@@ -20,6 +20,12 @@ void option_words::offer(CLI::App& command, const std::string& names, const std:
     command.add_option(names, place_of(names.substr(0, names.find(','))), help)->type_name(type_name);
 }
 
+void option_words::offer(CLI::App& command, std::initializer_list<offered_option> options) {
+    for (const auto& [names, type_name, help] : options) {
+        offer(command, names, type_name, help);
+    }
+}
+
 void option_words::say(const std::string& option, const std::string& words) { place_of(option) = words; }
 
 const std::optional<std::string>& option_words::operator[](const std::string& option) const {

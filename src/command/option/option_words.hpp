@@ -11,6 +11,13 @@
 
 namespace libration {
 
+/// An option as it is added to a command.
+struct offered_option {
+    const char* names;
+    const char* type_name;
+    const char* help;
+};
+
 /// Arguments by option, in the order of the command line. An object whose address was passed to a parser must not be
 /// moved.
 class option_words {
@@ -20,6 +27,8 @@ public:
 
     /// Adds an option such as "--times,--time" to a command; its words are then found under the first name.
     void offer(CLI::App& command, const std::string& names, const std::string& type_name, const std::string& help);
+    /// The same for several.
+    void offer(CLI::App& command, std::initializer_list<offered_option> options);
     void say(const std::string& option, const std::string& words);
     /// The argument of an option; std::nullopt if it was not given.
     const std::optional<std::string>& operator[](const std::string& option) const;

@@ -96,17 +96,15 @@ void require_one_kind(const option_words& said) {
 }  // namespace
 
 void offer_motions(option_words& said, CLI::App& command) {
-    const auto offer = [&](const char* names, const char* type_name, const char* help) {
-        said.offer(command, names, type_name, help);
-    };
-    offer("--energies,--energy", "LIST", "energies E: LIST, a:b:count or a:b:COUNTlog");
-    offer("--gaps,--gap", "LIST", "energies as gaps 2 - E, exact next to the separatrix: the same forms");
-    offer("--theta0", "LIST", "angles at t = 0: 30deg,60deg or 10deg:170deg:17");
-    offer("--omega0", "LIST", "angular velocities at t = 0 (with --theta0)");
-    offer("--direction", "+|-", "sign of omega at t = 0 for motions given by energy");
-    offer("--length", "L", "length in metres: times are then seconds");
-    offer("--gravity", "G", "gravity in m/s^2 (with --length)");
-    offer("--times,--time", "LIST", "times: 0,1.5,T/4 or a range 0:T:9");
+    said.offer(command,
+               {{"--energies,--energy", "LIST", "energies E: LIST, a:b:count or a:b:COUNTlog"},
+                {"--gaps,--gap", "LIST", "energies as gaps 2 - E, exact next to the separatrix: the same forms"},
+                {"--theta0", "LIST", "angles at t = 0: 30deg,60deg or 10deg:170deg:17"},
+                {"--omega0", "LIST", "angular velocities at t = 0 (with --theta0)"},
+                {"--direction", "+|-", "sign of omega at t = 0 for motions given by energy"},
+                {"--length", "L", "length in metres: times are then seconds"},
+                {"--gravity", "G", "gravity in m/s^2 (with --length)"},
+                {"--times,--time", "LIST", "times: 0,1.5,T/4 or a range 0:T:9"}});
 }
 
 std::vector<grid_motion> motions_of(const option_words& said) {

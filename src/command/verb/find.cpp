@@ -66,6 +66,10 @@ int run_find(const find_options& options) {
                               ? "--periodic is given together with --unknown: leave one of them out"
                               : "nothing to find is given: add --unknown S --such-that \"f'(5) = 1\", or --periodic");
     }
+    if (options.periodic && !options.conditions.empty()) {
+        throw input_error("--such-that", options.conditions.front(), "is given together with --periodic",
+                          "leave one of them out");
+    }
     progress shown("find", 1);
     const request how{
         .scalar = {scalar_kind::proved, digits}, .check = options.check, .reached = [&](double time, long bits) {

@@ -99,7 +99,7 @@ std::string text_of(const answer& found, const table& data) {
            "\nheuristic estimate: finitely many coefficients cannot prove a radius\n";
 }
 
-// Lower and upper bound, by discs and loops or by a closed form instead of coefficients.
+// Lower and upper bound, by discs and loops instead of coefficients.
 int prove_radius(const radius_options& options) {
     options.of.require_problem("--prove is for differential equations: add --problem P");
     for (const auto& [name, value] :

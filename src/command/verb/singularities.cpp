@@ -6,6 +6,7 @@
 
 #include "equation/answer_table.hpp"
 #include "equation/problem_options.hpp"
+#include "libration/scalar/text/decimal.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
 #include "run/progress.hpp"
@@ -57,19 +58,15 @@ std::string number_words(const std::string& name, const cell& re, const cell& im
     if (re.is_empty() || im.is_empty()) {
         return "";
     }
-    return fmt::format(", {} {}", name, re.text()) + (im.text() == "0" ? "" : fmt::format(" + {}i", im.text()));
+    return fmt::format(", {} {}", name, complex_text(re.text(), im.text()));
 }
 
 std::string text_of(const table& data, const answer& found) {
     std::string text;
     for (const auto& row : data.rows()) {
-        const bool real = row[1].text() == "0";
-        text += fmt::format("{}{}  +- {}  {}  {}: {}{}{}\n", row[0].text(),
-                            real ? ""
-                                 : fmt::format(" {} {}i", row[1].text().starts_with("-") ? "-" : "+",
-                                               row[1].text().substr(row[1].text().starts_with("-") ? 1 : 0)),
-                            row[3].text(), row[7].text(), row[8].text(), row[4].text(),
-                            number_words("exponent", row[5], row[6]), number_words("coefficient", row[9], row[10]));
+        text += fmt::format("{}  +- {}  {}  {}: {}{}{}\n", complex_text(row[0].text(), row[1].text()), row[3].text(),
+                            row[7].text(), row[8].text(), row[4].text(), number_words("exponent", row[5], row[6]),
+                            number_words("coefficient", row[9], row[10]));
         if (!row[11].is_empty()) {
             text += fmt::format("    resonances {}\n", row[11].text());
         }
@@ -77,7 +74,10 @@ std::string text_of(const table& data, const answer& found) {
             text += fmt::format("    {}\n", row[12].text());
         }
     }
-    return text + found.notes.front().text + "\n";
+    for (const answer_note& each : found.notes) {
+        text += each.text + "\n";
+    }
+    return text;
 }
 
 // An error about what is not found or not proved names the option.

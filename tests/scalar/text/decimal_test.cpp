@@ -108,4 +108,11 @@ TEST_CASE("the logarithm of a number of any size is text that a drawing can hold
     CHECK(log10_text(100.0) == "2.00000000000");
 }
 
+TEST_CASE("a complex number has one sign between its parts", "[scalar][decimal]") {
+    CHECK(complex_text("1.5", "0") == "1.5");
+    CHECK(complex_text("1.5", "2") == "1.5 + 2i");
+    CHECK(complex_text("0", "-2e-9") == "0 - 2e-9i");
+    CHECK(complex_text("-1.570796327", "-1.000000000", " i") == "-1.570796327 - 1.000000000 i");
+}
+
 }  // namespace scalar_decimal_test

@@ -55,6 +55,12 @@ std::string to_decimal(const T& x, long count) {
     return place_point(negative, digits.substr(negative ? 1 : 0), static_cast<long>(exponent));
 }
 
+/// "1.5", "1.5 - 2i" of two decimals: the real part alone if the imaginary one is 0.
+inline std::string complex_text(const std::string& re, const std::string& im, const std::string& unit = "i") {
+    const bool negative = im.starts_with("-");
+    return im == "0" ? re : re + (negative ? " - " : " + ") + im.substr(negative ? 1 : 0) + unit;
+}
+
 /// log10 |x| with 12 significant digits, -inf for 0: for plots where x is out of range of double.
 template <rounding_scalar T>
 std::string log10_text(const T& x) {

@@ -81,7 +81,7 @@ private:
     // Cached, since the part that depends on the energy alone is computed once.
     pendulum::proved_states& states_to(long digits) const;
     std::vector<answer_value> state_at(pendulum::proved_states& states, const exact& time, bool check) const;
-    std::vector<std::string> drifts(const std::vector<exact>& times, long digits) const;
+    ode::solution_state<mpfr> state_of_drift(const exact& time, long digits) const;
     pendulum::expansion_point point_of(const std::string& about) const;
     bool has_series(const series_request& of, const request& how) const;
 
@@ -176,11 +176,18 @@ answer pendulum_solution::states(const std::vector<exact>& times, const request&
                     "is not used by the closed form of the pendulum: use automatic, or solve with general = true");
     }
     pendulum::proved_states& states = states_to(how.printed_digits());
+    const bool drifting =
+        how.scalar.kind == scalar_kind::arbitrary && general_ && !general_->system().invariants().empty();
+    const ode::solution_state<mpfr> without_values(1);
+    std::vector<ode::solution_state<mpfr>> of_drifts;
     answer result{.names = quantities(), .rows = {}, .rigour = "proved"};
     for (std::size_t i = 0; i < times.size(); ++i) {
         auto& row = result.rows.emplace_back();
         try {
             row = state_at(states, times[i], how.check);
+            if (drifting) {
+                of_drifts.push_back(state_of_drift(times[i], how.printed_digits()));
+            }
         } catch (const error& problem) {
             if (problem.kind() == error_kind::range) {
                 throw error(error_kind::range, "time", times[i].text,
@@ -191,33 +198,26 @@ answer pendulum_solution::states(const std::vector<exact>& times, const request&
             }
             result.missing = problem;
         }
+        of_drifts.resize(result.rows.size(), without_values);
         if (!continues(how, result, times.size())) {
             break;
         }
     }
-    if (how.scalar.kind == scalar_kind::arbitrary && general_) {
-        result.drifts = drifts(times, how.printed_digits());
+    if (drifting) {
+        of_drifts.resize(times.size(), without_values);
+        result.drifts = general_->drifts(times, of_drifts, how.printed_digits());
     }
     return result;
 }
 
-// Of an invariant stated in the problem, by more digits than those of the result.
-std::vector<std::string> pendulum_solution::drifts(const std::vector<exact>& times, long digits) const {
-    if (general_->system().invariants().empty()) {
-        return {};
-    }
+// For invariants stated in the problem: with more digits than those of the result.
+ode::solution_state<mpfr> pendulum_solution::state_of_drift(const exact& time, long digits) const {
     constexpr long more = 20;
-    pendulum::proved_states& states = states_to(digits + more);
     const precision_scope scope(digits + 2 * more);
-    std::vector<ode::solution_state<mpfr>> all;
-    for (const exact& time : times) {
-        const auto values = state_at(states, time, false);
-        const mpfr first(values[0].text);
-        const mpfr second(values[1].text);
-        all.push_back(second_order_ ? ode::solution_state<mpfr>{{first, second}}
-                                    : ode::solution_state<mpfr>{{first}, {second}});
-    }
-    return general_->drifts(times, all, digits);
+    const auto values = state_at(states_to(digits + more), time, false);
+    const mpfr first(values[0].text);
+    const mpfr second(values[1].text);
+    return second_order_ ? ode::solution_state<mpfr>{{first, second}} : ode::solution_state<mpfr>{{first}, {second}};
 }
 
 void pendulum_solution::require_point(const std::string& about) const {
@@ -236,6 +236,12 @@ std::string pendulum_solution::form_of_points() const {
                                                           : "top, bottom, start or a time such as 1.1 or T/8";
 }
 
+// The time of the equations in a text; std::nullopt if it is complex.
+std::optional<exact> real_time(const std::string& about) {
+    const ode::complex_constant point = point_in(about);
+    return exactly(point.im, "").is_zero() ? std::optional(exactly(point.re, about)) : std::nullopt;
+}
+
 // The names of points of a motion are not times of an equation.
 pendulum::expansion_point pendulum_solution::point_of(const std::string& about) const {
     if (about.empty()) {
@@ -244,14 +250,16 @@ pendulum::expansion_point pendulum_solution::point_of(const std::string& about) 
     if (!general_) {
         return pendulum::point_of_motion(motion_, about);
     }
-    return {pendulum::expansion_point::place::time, since_start(read_exact(about))};
+    const auto time = real_time(about);
+    if (!time) {
+        throw error(error_kind::argument, "point", about,
+                    "is not real, and the closed form of the pendulum is for real times: write a real time");
+    }
+    return {pendulum::expansion_point::place::time, since_start(*time)};
 }
 
-// Whether a point is a real time of the equations.
-bool is_real(const std::string& about) {
-    const auto imaginary = about.empty() ? std::nullopt : ode::parse_complex_constant(about).im.plain();
-    return about.empty() || (imaginary && imaginary->coefficient == 0);
-}
+// Whether a point is a real time of the equations, or the initial one.
+bool is_real(const std::string& about) { return about.empty() || real_time(about); }
 
 // Whether the coefficients of theta alone, at a real time and without a second proof, are the answer.
 bool pendulum_solution::has_series(const series_request& of, const request& how) const {

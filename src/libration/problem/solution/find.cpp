@@ -59,10 +59,17 @@ answer found_by(const request& how, const Find& find) {
 }
 
 found_values found_for_infinity(const problem& of, const std::vector<std::string>& unknowns,
-                                const std::vector<std::string>& conditions, long digits) {
-    const std::string condition = conditions.size() == 1 ? conditions.front() : "several";
+                                const std::string& condition, long digits) {
     return {unknowns,
             about("conditions", [&] { return proved_for_infinity(of.equations(), unknowns, condition, digits); })};
+}
+
+void require_distinct(const std::vector<std::string>& unknowns) {
+    for (auto each = unknowns.begin(); each != unknowns.end(); ++each) {
+        if (std::find(unknowns.begin(), each, *each) != each) {
+            throw error(error_kind::argument, "unknowns", *each, "is given twice: give it once");
+        }
+    }
 }
 
 std::vector<ode::point_condition> read_conditions(const problem& of, const std::vector<std::string>& conditions) {
@@ -78,13 +85,19 @@ std::vector<ode::point_condition> read_conditions(const problem& of, const std::
 
 answer find_unknowns(const problem& of, const std::vector<std::string>& unknowns,
                      const std::vector<std::string>& conditions, const request& how) {
-    if (std::ranges::any_of(conditions, is_at_infinity)) {
+    require_distinct(unknowns);
+    const auto at_infinity = std::ranges::find_if(conditions, is_at_infinity);
+    if (at_infinity != conditions.end()) {
+        if (conditions.size() > 1) {
+            throw error(error_kind::argument, "condition", *at_infinity,
+                        "is at infinity, which is decided alone: give it without the others");
+        }
         if (how.check) {
             throw error(error_kind::argument, "check", "",
                         "compares two proofs, and a condition at infinity has only one, by a lemma");
         }
         return found_by(how, [&](long digits, const ode::proof_route& /*route*/) {
-            return found_for_infinity(of, unknowns, conditions, digits);
+            return found_for_infinity(of, unknowns, conditions.front(), digits);
         });
     }
     if (conditions.size() != unknowns.size()) {

@@ -89,7 +89,7 @@ std::string nearest_in_words(const radius_estimate<mpfr>& estimate, const estima
         const std::string& real = row[place::position_re].text;
         const std::string& imaginary = row[place::position_im].text;
         words += " at ";
-        words += imaginary == "0" ? real : real == "0" ? imaginary + " i" : real + " + " + imaginary + " i";
+        words += real == "0" && imaginary != "0" ? imaginary + " i" : complex_text(real, imaginary, " i");
         words += estimate.count > 2    ? " and the points symmetric to it"
                  : estimate.count == 2 ? " and the point symmetric to it"
                                        : "";

@@ -17,11 +17,15 @@ const std::string& answer::at(std::size_t row, const std::string& name) const {
         throw error(error_kind::argument, "quantity", name, "is not a column of this answer");
     }
     const auto place = static_cast<std::size_t>(column - names.begin());
-    if (row >= rows.size()) {
-        throw error(error_kind::argument, "row", std::to_string(row), "is beyond the last row of the answer");
-    }
-    if (missing && (rows[row].empty() || rows[row][place].text.empty())) {
+    const bool beyond = row >= rows.size();
+    const auto without_number = [](const answer_value& value) {
+        return value.text.empty() && value.kind != value_kind::text;
+    };
+    if (missing && (beyond || rows[row].empty() || without_number(rows[row][place]))) {
         throw error(*missing);
+    }
+    if (beyond) {
+        throw error(error_kind::argument, "row", std::to_string(row), "is beyond the last row of the answer");
     }
     return rows[row][place].text;
 }

@@ -17,11 +17,7 @@ namespace {
 constexpr long digits_of_place = 12;
 
 std::string place_in_words(const complex_number<mpfr>& z) {
-    const std::string real = to_decimal(z.re, digits_of_place);
-    if (z.im == 0) {
-        return real;
-    }
-    return real + (z.im < 0 ? " - " : " + ") + to_decimal(mpfr(abs(z.im)), digits_of_place) + "i";
+    return complex_text(to_decimal(z.re, digits_of_place), to_decimal(z.im, digits_of_place));
 }
 
 // Without the primes of the derivative to which the loop refers.
@@ -51,7 +47,7 @@ void require_second_bounds(const ode::explicit_system& system, long digits, cons
 
 std::vector<answer_note> notes_of(const ode::explicit_system& system, const ode::proved_radius& radius) {
     if (radius.infinite) {
-        return {{"radius", "the equation is linear with entire coefficients"}};
+        return {{"radius", words_of_entire_solutions}};
     }
     const std::string systems =
         radius.systems > 1    ? ", once for each of " + std::to_string(radius.systems) + " independent systems"

@@ -15,14 +15,6 @@ namespace libration {
 
 namespace {
 
-ode::complex_constant point_in(const std::string& text) {
-    try {
-        return ode::parse_complex_constant(text);
-    } catch (const error& problem) {
-        throw error(problem.kind(), "point", text, problem.reason());
-    }
-}
-
 std::vector<std::string> names_of_unknowns(const ode::explicit_system& system, bool parts) {
     std::vector<std::string> names;
     for (const auto& each : system.unknowns()) {
@@ -76,6 +68,14 @@ std::vector<unknown_series> lists_of(const ode::coefficient_request& of, long di
 }
 
 }  // namespace
+
+ode::complex_constant point_in(const std::string& text) {
+    try {
+        return ode::parse_complex_constant(text);
+    } catch (const error& problem) {
+        throw error(problem.kind(), "point", text, problem.reason());
+    }
+}
 
 void taylor_solution::require_point(const std::string& about) const {
     if (!about.empty()) {

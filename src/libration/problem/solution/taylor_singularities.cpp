@@ -90,10 +90,11 @@ void require_second_discs(const ode::explicit_system& system, const std::optiona
         }
         if (!met) {
             throw std::runtime_error(
-                "the two proofs disagree on the singularity near " + to_decimal(first[i].centre.re, digits) + " + " +
-                to_decimal(first[i].centre.im, digits) + "i: " + std::to_string(first.size()) +
-                " discs by the first, one within " + upper_bound_text(first[i].reach.exact()) + " of it, " +
-                std::to_string(second.size()) + " by the second, none of which meets that");
+                "the two proofs disagree on the singularity near " +
+                complex_text(to_decimal(first[i].centre.re, digits), to_decimal(first[i].centre.im, digits)) + ": " +
+                std::to_string(first.size()) + " discs by the first, one within " +
+                upper_bound_text(first[i].reach.exact()) + " of it, " + std::to_string(second.size()) +
+                " by the second, none of which meets that");
         }
     }
 }
@@ -154,17 +155,19 @@ std::vector<answer_value> row_of(const ode::explicit_system& system, const ode::
             text_value(evidence)};
 }
 
+std::string counted(long n, const std::string& what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); }
+
 std::string extent_of(const ode::singularity_map& map) {
     if (map.entire) {
-        return "none: the equation is linear with entire coefficients";
+        return std::string("none: ") + words_of_entire_solutions;
     }
     const std::string unresolved = map.complete ? ""
-                                                : ", " + std::to_string(map.unexplained) +
-                                                      " cells unresolved: singularities accumulate, possibly a "
+                                                : ", " + counted(map.unexplained, "cell") +
+                                                      " unresolved: singularities accumulate, possibly a "
                                                       "natural boundary";
     return "within " + short_text(map.within, digits_of_distance) +
-           " of the initial point, on the branch reached along rays from it; " + std::to_string(map.points) +
-           " expansion points" + unresolved;
+           " of the initial point, on the branch reached along rays from it; " +
+           counted(map.points, "expansion point") + unresolved;
 }
 
 }  // namespace
@@ -176,17 +179,22 @@ answer taylor_solution::singularities(const std::optional<double>& within, const
     request.digits = prove ? digits + digits_of_proof : digits;
     request.within = within;
     const auto map = ode::singularities_of(system_, request);
-    if (map.all.empty() && !map.entire && !within) {
+    const bool none_found = map.all.empty() && !map.entire;
+    const std::string searched = short_text(map.within, digits_of_distance);
+    if (none_found && !within) {
         throw error(error_kind::undecided, "solution", "",
-                    "has no known singularity within " + short_text(map.within, digits_of_distance) +
+                    "has no known singularity within " + searched +
                         " of its initial point, which does not prove that there is none");
     }
     answer result{
         .names = {"position_re", "position_im", "modulus", "uncertainty", "kind", "exponent_re", "exponent_im",
                   "rigour", "unknown", "coefficient_re", "coefficient_im", "resonances", "evidence"},
         .rows = {},
-        .rigour = prove ? "proved" : "heuristic",
+        .rigour = prove && !none_found ? "proved" : "heuristic",
         .notes = {{"extent", extent_of(map)}}};
+    if (none_found) {
+        result.notes.push_back({"none", "none found within " + searched + ", which does not prove that there is none"});
+    }
     const precision_scope scope(digits + guard_digits);
     const auto proofs = prove ? proofs_of(system_, map, within, how) : std::vector<ode::proved_singularity>();
     std::size_t refused = 0;

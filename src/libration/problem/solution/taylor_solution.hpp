@@ -19,6 +19,9 @@ inline constexpr long digits_of_drift = 3;
 
 inline long digits_of_integration(const request& how) { return std::max(how.printed_digits(), how.scalar.digits); }
 
+/// The expansion point of a text. Throws error of the subject "point".
+ode::complex_constant point_in(const std::string& text);
+
 class taylor_solution : public solution {
 public:
     /// Throws error as ode::explicit_system does.
