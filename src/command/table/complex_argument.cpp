@@ -24,7 +24,7 @@ complex_argument read_complex(const std::string& item) {
             read_exact(imaginary.starts_with('+') ? imaginary.substr(1) : imaginary)};
 }
 
-std::string complex_text(const std::string& real, const std::string& imaginary) {
+std::string complex_argument_text(const std::string& real, const std::string& imaginary) {
     const bool negative = imaginary.starts_with('-');
     const std::string size = imaginary.substr(negative || imaginary.starts_with('+') ? 1 : 0);
     // A sum has a sign other than that of an exponent.

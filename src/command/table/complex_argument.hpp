@@ -21,7 +21,7 @@ bool is_complex_text(const std::string& text);
 complex_argument read_complex(const std::string& item);
 
 /// "1+2i" of two typed numbers, an expression in parentheses.
-std::string complex_text(const std::string& real, const std::string& imaginary);
+std::string complex_argument_text(const std::string& real, const std::string& imaginary);
 
 /// Whether a function takes complex arguments: the twelve of Jacobi.
 bool takes_complex(const elliptic::named_function& function);

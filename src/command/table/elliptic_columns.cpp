@@ -99,7 +99,7 @@ void elliptic_columns::find_argument() {
 complex_argument elliptic_columns::argument_in(const std::vector<std::string>& cells, bool as_double) const {
     if (imaginary_) {
         complex_argument at{number_in(cells, *argument_, as_double), number_in(cells, *imaginary_, as_double)};
-        at.real.text = complex_text(at.real.text, at.imaginary->text);
+        at.real.text = complex_argument_text(at.real.text, at.imaginary->text);
         return at;
     }
     const std::string typed(trimmed(cells[*argument_]));
