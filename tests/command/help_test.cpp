@@ -120,7 +120,7 @@ TEST_CASE("the help of a study says which forms an option accepts and what is re
                     "(required): LIST, a:b:count or a:b:COUNTlog") != std::string::npos);
 }
 
-TEST_CASE("--help of an unknown study is refused with a similar name", "[command][help]") {
+TEST_CASE("the help of an unknown study is refused with a similar name", "[command][help]") {
     check_refused({"study", "eror_norm", "--help"}, {"study 'eror_norm' is not a study", "error_norm"});
 }
 

@@ -264,7 +264,7 @@ TEST_CASE("the corrected statement is shown where it is known", "[ode][parse][no
         {"y' = sin; y(0) = 1",
          "problem 'sin' at line 1, column 6 is a function without ( after it: write y' = sin(...)"},
         {"dy/dx = x; x' = y",
-         "problem 'dy/dx' at line 1, column 1 differentiates by x, which is an unknown: rename one of them"},
+         "problem 'dy/dx' at line 1, column 1 differentiates by x, which is an unknown: give one of them another name"},
         {"dx/dx = x",
          "problem 'dx/dx' at line 1, column 1 differentiates x by itself: rename the unknown or the variable"},
         {"variable x; x' = 1",

@@ -167,7 +167,8 @@ private:
             refuse(written, at, "differentiates " + below.name + " by itself: rename the unknown or the variable");
         }
         if (known_.unknowns.contains(below.name)) {
-            refuse(written, at, "differentiates by " + below.name + ", which is an unknown: rename one of them");
+            refuse(written, at,
+                   "differentiates by " + below.name + ", which is an unknown: give one of them another name");
         }
     }
 
