@@ -55,6 +55,8 @@ file(GLOB_RECURSE attack_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/a
 add_executable(libration-attack ${attack_sources} ${PROJECT_SOURCE_DIR}/src/command/table/elliptic_values.cpp)
 target_include_directories(libration-attack PRIVATE
     ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR}/src/command)
+target_compile_definitions(libration-attack PRIVATE
+    LIBRATION_REFERENCE_DIR="${PROJECT_SOURCE_DIR}/tests/reference")
 target_link_libraries(libration-attack PRIVATE libration::ball fmt::fmt libration-warnings)
 target_compile_options(libration-attack PRIVATE $<$<CONFIG:Release>:-Og>)
 if(LIBRATION_BUILD_COMMAND)

@@ -31,7 +31,8 @@ running_questions& running() {
 
 const std::vector<statement_kind>& statement_kinds() {
     static const std::vector<statement_kind> all{
-        {"value", "unknowns at a time", 420, ask_value},
+        {"value", "unknowns at a time", 390, ask_value},
+        {"special function", "solutions by functions of mpmath, alone and beside others", 30, ask_special_function},
         {"event", "times of events, and the unknowns there", 160, ask_event},
         {"count", "events before a time", 100, ask_count},
         {"unknown", "parameters and starts that meet a condition", 50, ask_unknown},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -26,6 +27,7 @@ struct statement_kind {
 const std::vector<statement_kind>& statement_kinds();
 
 outcome ask_value(choices& next);
+outcome ask_special_function(choices& next);
 outcome ask_event(choices& next);
 outcome ask_count(choices& next);
 outcome ask_unknown(choices& next);
@@ -58,6 +60,10 @@ long any_digits(choices& next);
 ode::number time_number(const std::string& typed);
 
 inline ode::explicit_system system_of(const std::string& text) { return ode::explicit_system(ode::parse(text)); }
+
+/// Checks the values of the first columns at a time since the initial time; the message of an error by `refused`.
+outcome asked_values(const solved_problem& problem, const rational& since, long digits,
+                     const std::function<verdict(const std::string& message)>& refused);
 
 /// The facts in the error of a trajectory: the solution exists up to the time in the message, which is before a
 /// singularity at `singular` (absolute; in the direction of the requested time).

@@ -17,30 +17,6 @@ std::string value_command(const std::string& text, const std::string& time, long
     return fmt::format("libration reference --problem \"{}\" --time={} --digits {}", text, time, digits);
 }
 
-// Checks the values at one time; errors are checked by `refused`.
-template <class Refused>
-outcome asked_values(const solved_problem& problem, const rational& since, long digits, const Refused& refused) {
-    outcome result;
-    const std::string time = problem.typed_time(since);
-    result.command = announce(value_command(problem.text, time, digits));
-    try {
-        const auto states = ode::proved_trajectory(system_of(problem.text), {time_number(time)}, digits,
-                                                   [](const ball&, long) { require_time_left(); });
-        for (std::size_t i = 0; i < problem.columns.size(); ++i) {
-            const truth exact = [&problem, &since, i] { return problem.values[i](real(since)); };
-            const proved_decimal& printed = states.front()[i];
-            result.add(judged(printed, digits, exact),
-                       fmt::format("{} = {} +- {}", problem.columns[i], printed.text, printed.uncertainty));
-        }
-    } catch (const error& refusal) {
-        const std::string message = refusal.what();
-        result.add(refused(message), message);
-    } catch (const no_answer& late) {
-        result.add(verdict::undecided, late.what());
-    }
-    return result;
-}
-
 }  // namespace
 
 verdict judged_existence(const std::string& message, double from, double singular) {
@@ -62,6 +38,29 @@ long any_digits(choices& next) {
         case 3: return next.between(40, 100);
         default: return next.between(1, 40);
     }
+}
+
+outcome asked_values(const solved_problem& problem, const rational& since, long digits,
+                     const std::function<verdict(const std::string&)>& refused) {
+    outcome result;
+    const std::string time = problem.typed_time(since);
+    result.command = announce(value_command(problem.text, time, digits));
+    try {
+        const auto states = ode::proved_trajectory(system_of(problem.text), {time_number(time)}, digits,
+                                                   [](const ball&, long) { require_time_left(); });
+        for (std::size_t i = 0; i < problem.columns.size(); ++i) {
+            const truth exact = [&problem, &since, i] { return problem.values[i](real(since)); };
+            const proved_decimal& printed = states.front()[i];
+            result.add(judged(printed, digits, exact),
+                       fmt::format("{} = {} +- {}", problem.columns[i], printed.text, printed.uncertainty));
+        }
+    } catch (const error& refusal) {
+        const std::string message = refusal.what();
+        result.add(refused(message), message);
+    } catch (const no_answer& late) {
+        result.add(verdict::undecided, late.what());
+    }
+    return result;
 }
 
 ode::number time_number(const std::string& typed) { return as_expression(read_exact(typed)); }
