@@ -5,8 +5,8 @@
 
 BUILD is the folder of a build that has made liblibration.a and liblibration-proved.a, release for one. For each fault
 only the tests named beside it are compiled, and a source of the library where the fault is in one. A test catches a
-fault by failing, by a crash, by running longer than LIMIT, or by not compiling. First the same tests have to pass as
-they are. Exit code: 0 where every fault is caught; 1 where one is not, or where a test fails without any; 2 where a
+fault by failing, by a crash, by running SLOWER times as long as without it, or by not compiling. First the same tests
+have to pass as they are. Exit code: 0 where every fault is caught; 1 where one is not, or where a test fails without any; 2 where a
 fault cannot be planted, because its text does not stand in its file exactly once.
 """
 
@@ -24,7 +24,8 @@ sys.dont_write_bytecode = True  # a tree that is tested stays as it is
 from faults import FAULTS  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-LIMIT = 120  # seconds, of a test program that takes a few
+LONGEST = 900  # seconds, of a test program without a fault
+SLOWER, SHORTEST = 10, 60  # with one: so many times as long as without, and at least so many seconds
 LIBRARIES = ["-lhwy", "-lflint-arb", "-lflint", "-lmpfr", "-lgmp", "-lquadmath"]
 
 
@@ -41,8 +42,9 @@ def run(command, **more):
 class Workshop:
     """A copy of the tree in which one fault at a time stands, with the objects of its tests."""
 
-    def __init__(self, folder, build, shared):
+    def __init__(self, folder, build, shared, limits):
         self.folder, self.build, self.shared = folder, build, shared
+        self.limits = limits  # seconds, of each test
         for room in ("include", "src/libration", "tests"):
             shutil.copytree(ROOT / room, folder / room)
 
@@ -69,12 +71,13 @@ class Workshop:
             return [f"{test} does not link"], linked.stderr
         return self.run_tests(program, test)
 
-    @staticmethod
-    def run_tests(program, test):
+    def run_tests(self, program, test):
+        begin = time.monotonic()
         try:
-            done = run([program, "-r", "xml"], timeout=LIMIT)
+            done = run([program, "-r", "xml"], timeout=self.limits.get(test, LONGEST))
         except subprocess.TimeoutExpired:
             return [f"{test} does not end"], ""
+        self.limits.setdefault(test, max(SHORTEST, SLOWER * (time.monotonic() - begin)))
         try:
             cases = xml.fromstring(done.stdout).iter("TestCase")
             failed = [case.get("name") for case in cases if case.find("OverallResult").get("success") != "true"]
@@ -157,8 +160,9 @@ def main():
     work.mkdir(parents=True)
     share(work)
     free = queue.Queue()
+    limits = {}
     for i in range(options.jobs):
-        free.put(Workshop(work / f"tree{i}", options.build.resolve(), work))
+        free.put(Workshop(work / f"tree{i}", options.build.resolve(), work, limits))
 
     tests = sorted({test for fault in faults for test in fault.tests})
     for test, (failed, said) in zip(tests, spread(options.jobs, [lambda w, t=t: w.failures(t) for t in tests], free)):
