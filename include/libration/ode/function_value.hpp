@@ -32,6 +32,12 @@ requires std::same_as<wide_t<T>, mpfr> complex_number<T> value_by_balls(function
     return {convert<T>(value[0]), convert<T>(value[1])};
 }
 
+/// Scalars whose values of functions are rounded from balls.
+template <class R>
+concept rounded_from_balls = requires(function_kind f, const rational* order, const R& x) {
+    value_by_balls(f, order, x);
+};
+
 /// f(x), of this order if f has one, for the value x of an argument at an expansion point. Throws error if f is not
 /// available in R.
 template <field R>
@@ -46,7 +52,7 @@ R function_value(function_kind f, const R& x, const rational* order = nullptr) {
             } else {
                 return function_at(of, x);
             }
-        } else if constexpr (function_of_flint<each> && requires { value_by_balls(f, order, x); }) {
+        } else if constexpr (function_of_flint<each> && rounded_from_balls<R>) {
             return value_by_balls(f, order, x);
         } else {
             throw error(error_kind::argument, "problem", "",
