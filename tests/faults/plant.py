@@ -102,7 +102,7 @@ class Workshop:
         path = self.folder / fault.file
         text = path.read_text()
         path.write_text(text.replace(fault.old, fault.new))
-        sources = self.sources_with(path)
+        sources = [*self.sources_with(path), *map(pathlib.Path, fault.sources)]
         try:
             for test in fault.tests:
                 failed, _ = self.failures(test, sources)
