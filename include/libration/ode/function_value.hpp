@@ -52,9 +52,12 @@ R function_value(function_kind f, const R& x, const rational* order = nullptr) {
             } else {
                 return function_at(of, x);
             }
-        } else if constexpr (function_of_flint<each> && rounded_from_balls<R>) {
-            return value_by_balls(f, order, x);
         } else {
+            if constexpr (rounded_from_balls<R>) {  // in an `if` of its own, as it does not depend on `each`
+                if constexpr (function_of_flint<each>) {
+                    return value_by_balls(f, order, x);
+                }
+            }
             throw error(error_kind::argument, "problem", "",
                         "needs " + std::string(each::name) +
                             " of a coefficient, which is not available in this scalar: choose another");
