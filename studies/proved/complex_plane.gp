@@ -9,7 +9,6 @@ places = data.'/complex_plane_singularities.csv'
 proofs = data.'/complex_plane_proofs.csv'
 names = seen(main, 1, '1')
 count = words(names)
-plain(name) = ask(sprintf("printf '%%s' '%s' | tr _ ' '", name))
 of(name) = sprintf('$1 == "%s"', name)
 part_of(name, part) = sprintf('$1 == "%s" && $2 == "%s"', name, part)
 grid_of(name) = points_by("awk -F, 'NR > 1 && $1 == \"".name."\" { print $2 \",\" $3 \",\" ($4 == \"\" ? 0 : $4) \",\" ($5 == \"\" ? 9 : $5) }' '".main."'")
@@ -37,7 +36,7 @@ do for [kind in terminals] {
         eval panel(p)
         set lmargin 6; set rmargin 2; set tmargin 2; set bmargin 2.6; unset key; unset grid
         set size ratio -1
-        set title plain(name).': '.first_of(main, 6, of(name)) font ',12' offset 0, -0.6
+        set title problem_name(name).': '.first_of(main, 6, of(name)) font ',12' offset 0, -0.6
         set xrange [-reach:reach]; set yrange [-reach:reach]
         set xtics step_of(reach) format '%.3g' font ',10'; set ytics step_of(reach) format '%.3g' font ',10'
         set datafile nocolumnheaders
