@@ -37,13 +37,14 @@ if (equation ne '') {
             array half_width[n]
             scattered = 0
             fitted = ''
+            sloped = ''
             do for [c=1:n] {
                 q = power(c, u)
                 found = fit_of(q, verdict(c, u, 'radius'), verdict(c, u, 'position_re'), verdict(c, u, 'position_im'), verdict(c, u, 'count'))
                 level[c] = found
                 scattered = found == found || strlen(verdict(c, u, 'radius')) == 0 ? scattered : larger(scattered, number(verdict(c, u, 'radius')) ** -q)
                 slope[c] = fit_slope(q, found, verdict(c, u, 'exponent'))
-                if (found == found) { fitted = fitted.' '.c; any_fit = 1 }
+                if (found == found) { fitted = fitted.' '.c; any_fit = 1; sloped = slope[c] == slope[c] ? sloped.' '.c : sloped }
                 half_width[c] = fit_uncertainty(q, found, verdict(c, u, 'radius'), verdict(c, u, 'uncertainty'))
                 if (c == 1) { about_fit = fit_in_words(verdict(c, u, 'radius'), verdict(c, u, 'uncertainty'), verdict(c, u, 'exponent'))."}\n{/*0.8 ".intercept_in_words(found, verdict(c, u, 'radius'), verdict(c, u, 'uncertainty')) }
             }
@@ -51,9 +52,9 @@ if (equation ne '') {
             set ylabel sprintf('a_n/a_{n−%d}', int(power(1, u))) offset -0.5, 0
             set xrange [0:1.05 * span(main, 'inverse_n', both(late, of_unknown(main, u)), 0.3, 1)]
             eval ratio_range(main, place(main, 'ratio'), both(late, of_unknown(main, u)), scattered)
-            lines = "for [c in fitted] level[c + 0] * (1 + slope[c + 0] * x) with lines lw 1.5 lc rgb n == 1 ? '#999999' : tone(c + 0), "
+            lines = "for [c in sloped] level[c + 0] * (1 + slope[c + 0] * x) with lines lw 1.5 lc rgb n == 1 ? '#999999' : tone(c + 0), "
             intercepts_there = ", for [c in fitted] '+' using (0):(level[c + 0]):(half_width[c + 0]) every ::0::0 with yerrorbars pt 7 ps 0.9 lw 2 lc rgb '#D55E00'"
-            eval 'plot '.(words(fitted) ? lines : '')."for [c=1:n] rows(main, place(main, 'inverse_n'), place(main, 'ratio'), curve(c, u)) using ($1 > 1 ? NaN : $1):($1 > 1 ? NaN : $2) with points pt mark_of(c) ps 0.6 lc rgb tone(c)".(words(fitted) ? intercepts_there : '')
+            eval 'plot '.(words(sloped) ? lines : '')."for [c=1:n] rows(main, place(main, 'inverse_n'), place(main, 'ratio'), curve(c, u)) using ($1 > 1 ? NaN : $1):($1 > 1 ? NaN : $2) with points pt mark_of(c) ps 0.6 lc rgb tone(c)".(words(fitted) ? intercepts_there : '')
             eval no_heading
         }
         eval key_strip

@@ -155,6 +155,9 @@ t_axis = 'time t / (ℓ/g)^{1/2}'
 norm_axis = 'log_{10} (max |error| / rad)'
 error_axis = 'log_{10} (|error| / rad)'
 gap_axis = 'log_{10} |2 − E / (m g ℓ)| → E = 2'
+# Between tics, for at most seven of them from -r to r.
+times_decade(x, decade) = decade * (x < 1.5 * decade ? 1 : x < 3.5 * decade ? 2 : x < 7.5 * decade ? 5 : 10)
+step_of(r) = times_decade(r / 2.2, 10**floor(log10(r / 2.2)))
 # Tics at these values alone, at most `most` of them, on the axis x or y.
 tics_at(which, list, most) = (tics_text = '', sum [tic=1:smaller(words(list), most)] (tics_text = tics_text.(tic > 1 ? ', ' : '').pick(list, most, tic), 0), sprintf('set %stics (%s)', which, tics_text))
 # An axis from a to b, with margins at both ends; a single value is in the middle.

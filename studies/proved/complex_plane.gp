@@ -19,10 +19,6 @@ red(m, a) = int(colour_of(m, a)) >> 16
 green(m, a) = (int(colour_of(m, a)) >> 8) & 255
 blue(m, a) = int(colour_of(m, a)) & 255
 
-# Between tics, for at most seven of them from -r to r.
-times_decade(x, decade) = decade*(x < 1.5*decade ? 1 : x < 3.5*decade ? 2 : x < 7.5*decade ? 5 : 10)
-step_of(r) = times_decade(r/2.2, 10**floor(log10(r/2.2)))
-
 eval grid(count, 4)
 panel_w = count < 3 ? 460 : 300
 panel_h = count < 3 ? 440 : 300

@@ -5,7 +5,7 @@
 fit_of(p, r, re, im, count) = strlen(r) == 0 || strlen(re) == 0 ? NaN : fit_at(p, number(r), number(re), im eq '' ? 0.0 : number(im), count + 0)
 # The argument of t0^p must be a multiple of pi: within a degree, since p copies of one singularity are at equal angles.
 fit_at(p, r, re, im, count) = (fit_turns = p * atan2(im, re) / pi, abs(fit_turns - floor(fit_turns + 0.5)) > 1 / 180.0 ? NaN : (int(abs(floor(fit_turns + 0.5))) % 2 ? -1 : 1) * r ** -p)
-fit_slope(p, level, exponent) = level == level && strlen(exponent) ? -p * (number(exponent) + 1) : 0
+fit_slope(p, level, exponent) = level == level && strlen(exponent) ? -p * (number(exponent) + 1) : NaN
 fit_uncertainty(p, level, r, uncertainty) = level == level && strlen(uncertainty) ? abs(level) * p * number(uncertainty) / number(r) : 0
 # What the panel states about it.
 digits_beside(r, u) = strlen(u) && number(u) > 0 && number(r) > 0 ? int(larger(2, smaller(15, floor(log10(number(r) / number(u))) + 2))) : 10
