@@ -28,13 +28,13 @@ if (equation ne '') {
     eval grid(2, 2)
     panel_w = 520
     panel_h = 400
-    foot = foot_for(shown_in_key(n) + 4, 44)
+    foot = foot_for(shown_in_key(n) + 4, 28)
     of_approximants = with_word(main, 'method', 'asymptotic')
     bottom = least(main, sprintf('%d', y), of_approximants, -10)
     top = greatest(main, sprintf('%d', y), of_approximants, 0)
     do for [kind in terminals] {
         eval figure_of(kind, stem)
-        eval heading('Asymptotic approximants of '.called, 'largest error of '.u.' up to where the solution is its far behaviour')
+        eval heading('Asymptotic approximants of '.called, 'largest error of '.u.' up to where the solution has its asymptotic form')
         set lmargin 9; set rmargin 3; set tmargin 2; set bmargin 3.6
         unset key
         eval panel(1)
@@ -57,9 +57,9 @@ if (equation ne '') {
             plot for [m in methods] best(m) using 1:2 with linespoints lw 1.8 dt number_of(m) pt mark[number_of(m)] ps 0.7 lc rgb tone_of(m)
         }
         eval key_strip
-        plot for [m in methods] NaN with linespoints lw 1.8 dt number_of(m) pt mark[number_of(m)] ps 0.7 lc rgb tone_of(m) title 'right: '.name_of(m), \
-             NaN with lines lw 1 dt 3 lc rgb soft title 'left: what its form predicts, but for a factor', \
-             for [c=1:n] NaN with linespoints lw 1.8 pt mark_of(c) ps 0.6 lc rgb colour(c, n) title n > 1 && in_key(c, n) ? 'left: '.case_name(main, k, word(all, c)) : ''
+        plot for [m in methods] NaN with linespoints lw 1.8 dt number_of(m) pt mark[number_of(m)] ps 0.7 lc rgb tone_of(m) title name_of(m), \
+             NaN with lines lw 1 dt 3 lc rgb soft title 'predicted by its form, up to a factor', \
+             for [c=1:n] NaN with linespoints lw 1.8 pt mark_of(c) ps 0.6 lc rgb colour(c, n) title n > 1 && in_key(c, n) ? case_name(main, k, word(all, c)) : ''
         eval figure_done
     }
     exit
@@ -75,15 +75,15 @@ n = words(problems)
 has_losses = words(with_losses) > 0
 highest = greatest(main, '2', '1', 10)
 of(p, m) = sprintf('$1 == "%s" && $3 == "%s"', p, m)
-name_of(p) = ask("echo '".p."' | tr '_' ' '")
+name_of(p) = problem_name(p)
 
 eval grid(n + has_losses, 3)
 panel_w = across == 1 ? 860 : across == 2 ? 590 : 393
 panel_h = 330
-foot = foot_for(6, 30)
+foot = foot_for(4, 28)
 do for [kind in terminals] {
     eval figure_of(kind, 'approximants')
-    eval heading('Asymptotic approximants', 'largest error up to where the solution is its far behaviour')
+    eval heading('Asymptotic approximants', 'largest error up to where the solution has its asymptotic form')
     set lmargin 9; set rmargin 2; set tmargin 2; set bmargin 3.6
     do for [p=1:n] {
         eval panel(p)
@@ -112,13 +112,13 @@ do for [kind in terminals] {
         set ylabel 'digits'
         set key top left reverse Left
         plot for [i=1:words(with_losses)] rows(losses, 2, 7, sprintf('$1 == "%s" && $7 !~ /inf/', word(with_losses, i))) using 1:2 with linespoints pt mark_of(i) ps 0.7 lw 1.8 lc rgb shade[i] title name_of(word(with_losses, i)), \
-             15.95 with lines lw 1.2 dt 3 lc rgb soft title 'all there are'
+             15.95 with lines lw 1.2 dt 3 lc rgb soft title 'digits of double'
         unset key
     }
     eval key_strip
     plot NaN with lines lw 2 dt 2 lc rgb shade[5] title 'series', \
          NaN with lines lw 1.5 dt 4 lc rgb shade[3] title 'Padé', \
          NaN with linespoints pt 7 ps 0.5 lw 2 lc rgb shade[4] title 'asymptotic approximant', \
-         NaN with lines lw 1.8 dt 3 lc rgb '#444444' title 'what its form predicts, but for a factor'
+         NaN with lines lw 1.8 dt 3 lc rgb '#444444' title 'predicted by its form, up to a factor'
     eval figure_done
 }

@@ -37,7 +37,7 @@ if (equation ne '') {
         plot for [s=1:words(scalars)] for [i=1:words(routes)] rows(times, k + 1, place(times, 'log10_seconds'), both(curve(times, word(routes, i)), with_word(times, 'scalar', word(scalars, s)))) using 1:2 with linespoints lw 1.8 dt i pt mark[i] ps 0.8 lc rgb shade[s + 2]
         eval key_strip
         plot for [i=1:words(routes)] NaN with linespoints lw 1.8 dt i pt mark[i] ps 0.8 lc rgb '#000000' title 'about the '.word(routes, i), \
-             for [s=1:words(scalars)] NaN with lines lw 2.4 lc rgb shade[s + 2] title word(scalars, s)
+             for [s=1:words(scalars)] NaN with lines lw 2.4 lc rgb shade[s + 2] title arithmetic_name(word(scalars, s))
         eval figure_done
     }
     exit
@@ -68,7 +68,7 @@ constant(r) = r eq 'direct' ? 1 : r eq 'direct_parity' ? 0.5 : r eq 'arcsine' ? 
 hue(r) = r[1:6] eq 'direct' ? shade[4] : r[1:7] eq 'arcsine' ? shade[2] : r eq 'speed' ? shade[3] : r eq 'symmetric_squares' ? shade[5] : r eq 'convolution' ? shade[1] : shade[6]
 dash(r) = (strstrt(r, 'parity') || r eq 'running_sums') ? 2 : 1
 mark(r) = r eq 'direct' ? 4 : r eq 'direct_parity' ? 5 : r eq 'arcsine' ? 8 : r eq 'arcsine_parity' ? 9 : r eq 'speed' ? 6 : r eq 'symmetric_squares' ? 2 : r eq 'convolution' ? 12 : r eq 'running_sums' ? 10 : 1
-label_of(r) = r eq 'direct' ? '(pendseries)' : r eq 'direct_parity' ? '(pendseries), parity' : r eq 'arcsine' ? 'arcsine of Jacobi' : r eq 'arcsine_parity' ? 'arcsine, parity' : r eq 'speed' ? 'omega alone' : r eq 'symmetric_squares' ? 'symmetric squares' : r eq 'convolution' ? 'resummation: convolution' : r eq 'running_sums' ? 'resummation: running sums' : 'resummation: alpha, beta'
+label_of(r) = r eq 'direct' ? 'direct recurrence' : r eq 'direct_parity' ? 'direct recurrence, parity' : r eq 'arcsine' ? 'arcsine of Jacobi' : r eq 'arcsine_parity' ? 'arcsine of Jacobi, parity' : r eq 'speed' ? 'ω alone' : r eq 'symmetric_squares' ? 'symmetric squares' : r eq 'convolution' ? 'resummation: convolution' : r eq 'running_sums' ? 'resummation: running sums' : 'resummation: α, β'
 named = number_name(energy)
 
 do for [kind in terminals] {
@@ -85,8 +85,8 @@ do for [kind in terminals] {
     set lmargin 9
     set ylabel 'multiplications of two numbers, count'
     set yrange [1:*]
-    set key at screen 0.5, 0.155 center top vertical maxrows 3 samplen 2.5 font ',11'
-    set label 2 'thin lines: constant times N^2' at graph 0.03, graph 0.96 textcolor rgb '#555555'
+    set key at screen 0.5, 0.15 center top vertical maxrows 3 samplen 2.5 font ',12'
+    set label 2 'thin lines: constant · N^2' at graph 0.03, graph 0.96 textcolor rgb '#555555'
     plot for [r in with_products] file using 2:(of(r, positive(column(4)))) with linespoints lw 2 dt dash(r) pt mark(r) lc rgb hue(r) title label_of(r), \
          for [r in with_products] constant(r) * x**2 with lines lw 1 dt 3 lc rgb hue(r) notitle, \
          1/0 with linespoints lw 2 dt 2 pt 10 lc rgb hue('running_sums') title label_of('running_sums').' (none)'
@@ -94,7 +94,7 @@ do for [kind in terminals] {
     unset label 2
     unset key
     set origin 0.5, 0.17
-    set ylabel 'time, multiples of (pendseries)'
+    set ylabel 'time / that of the direct recurrence'
     set format y '%g'
     set yrange [*:4]
     plot for [r in present] timed using 2:(of(r, column(5))) with linespoints lw 2 dt dash(r) pt mark(r) lc rgb hue(r)
@@ -102,22 +102,42 @@ do for [kind in terminals] {
     unset output
 }
 
-# Differences between the routes.
+# Differences between the routes: left those that lose digits with the order, right the stable ones.
 eval restart
 unstable = ask(sprintf("awk -F, '$3 == \"%s\" && $11 != \"\" { print $1 }' '%s' | awk '!seen[$0]++'", energy, file))
+stable = ''
+is_unstable(r) = words(unstable) ? sum [i=1:words(unstable)] (word(unstable, i) eq r) : 0
+do for [r in present] { if (!is_unstable(r)) { stable = stable.' '.r } }
+sides = (words(unstable) > 0 ? '1 ' : '').(words(stable) > 0 ? '2' : '')
+start = real(ask(sprintf("awk -F, '$3 == \"%s\" && $11 != \"\" { found = 1; print $10 - $11; exit } END { if (!found) print 0 }' '%s'", energy, file)))
+eval grid(words(sides), 2)
+panel_w = across == 1 ? 900 : 590
+panel_h = 430
+foot = foot_for(words(present) + 1, 24)
 do for [kind in terminals] {
-    eval use_terminal(kind, target.'/cost_difference', 900, 560)
-    set title 'Rounding errors of the routes (E = '.named.')' font ',16'
+    eval figure_of(kind, 'cost_difference')
+    eval heading('Rounding errors of the routes (E = '.named.')', 'the largest difference of a coefficient from its value with 30 digits more')
+    set lmargin 9; set rmargin 2; set tmargin 2; set bmargin 3.6
     set xlabel 'order N'
-    set ylabel 'log_{10} of the largest difference from 30 digits more'
-    set xrange [0:1.04 * right / 1.3]
-    set offsets 0, 0, 8, 8
-    set key top left samplen 3
-    set lmargin 9
-    start = real(ask(sprintf("awk -F, '$3 == \"%s\" && $11 != \"\" { found = 1; print $10 - $11; exit } END { if (!found) print 0 }' '%s'", energy, file)))
-    lines = "for [r in present] file using 2:(of(r, column(10))) with linespoints lw 2 dt dash(r) pt mark(r) lc rgb hue(r) title label_of(r)"
-    growth = "for [r in word(unstable, 1)] file using 2:(of(r, column(11) + start)) with lines lw 1.5 dt 3 lc rgb '#000000' title \"(R/K~')^N\""
-    set key noenhanced
-    eval 'plot '.lines.(words(unstable) > 0 ? ', '.growth : '')
-    unset output
+    unset key
+    do for [p=1:words(sides)] {
+        eval panel(p)
+        losing = word(sides, p) eq '1'
+        listed = losing ? unstable : stable
+        set title losing ? 'unstable' : 'stable' offset 0, -0.5
+        if (p == 1) { set ylabel 'log_{10} (largest difference)' } else { unset ylabel }
+        set xrange [0:1.04 * right / 1.3]
+        which = '0'
+        do for [r in listed] { which = which.sprintf(' || ($1 == "%s" && $3 == "%s")', r, energy) }
+        low = least(file, '10', which, -1); high = greatest(file, '10', which, 1)
+        eval rising('y', low, high)
+        lines = "for [r in listed] file using 2:(of(r, column(10))) with linespoints lw 2 dt dash(r) pt mark(r) lc rgb hue(r) notitle"
+        growth = ", for [r in word(unstable, 1)] file using 2:(of(r, column(11) + start)) with lines lw 1.5 dt 3 lc rgb '#000000' notitle"
+        eval 'plot '.lines.(losing ? growth : '')
+        eval no_heading
+    }
+    eval key_strip
+    plot for [r in present] NaN with linespoints lw 2 dt dash(r) pt mark(r) lc rgb hue(r) title label_of(r), \
+         NaN with lines lw 1.5 dt 3 lc rgb '#000000' title words(unstable) > 0 ? '(R/K̃′)^N' : ''
+    eval figure_done
 }

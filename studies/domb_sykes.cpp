@@ -290,13 +290,13 @@ const study& domb_sykes() {
         .reading =
             "Ratios of coefficients over 1/n, times the exact power of R, so that the answer at 1/n = 0 is 1 or -1 "
             "for every energy; the broad grey lines are what one logarithmic singularity makes, +-(1 - p/n). In t, "
-            "as textbooks draw it (left), symmetry leaves nothing: every second ratio is 0 and the others divide by "
-            "0. In t^2 (right) the plot about the bottom runs straight to -1, for the two singularities +-i K~' are "
-            "one there. About the top it scatters for ever and has no intercept at all, because two pairs are "
-            "nearest and their squares are still a pair; only at E = 1, in t^4, do all four fall together (marks on "
-            "the edge lie beyond it). The second figure shows what radius tests make of the same lists: where the "
-            "plot is straight, the last ratio is right to two digits and the extrapolated intercept to as many as "
-            "the coefficients have; where it scatters, both refuse, a test for pairs gains digits slowly, and fitted "
+            "as textbooks draw it, symmetry leaves nothing: every second ratio is 0 and the others divide by 0. In "
+            "t^2 the plot about the bottom runs straight to -1, for the two singularities +-i K~' are one there. "
+            "About the top it scatters for ever and has no intercept at all, because two pairs are nearest and their "
+            "squares are still a pair; only at E = 1, in t^4, do all four fall together (marks on the edge lie "
+            "beyond it). The second figure shows what radius tests make of the same lists: where the plot is "
+            "straight, the last ratio is right to two digits and the extrapolated intercept to as many as the "
+            "coefficients have; where it scatters, both refuse, a test for pairs gains digits slowly, and fitted "
             "recurrences, which the verdict follows, have them all from N = 80.",
         .of = &pendulum_problem(),
         .parameters = {{"--energies", "0.5,1,1.71,2.02", "energies E, in m g l"},

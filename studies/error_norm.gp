@@ -29,7 +29,7 @@ if (equation ne '') {
     top = greatest(main, sprintf('%d', y), '1', 0)
     do for [kind in terminals] {
         eval figure_of(kind, stem)
-        eval heading('Error of the series of '.called.' and of its approximants', 'the largest error at times up to '.tidy(first_of(radii, place(radii, 'reach'), '1')).' from the start, in '.scalar.left_out)
+        eval heading('Error of the series of '.called.' and of its approximants', 'the largest error at times up to '.tidy(first_of(radii, place(radii, 'reach'), '1')).' from the start, '.in_arithmetic(scalar).left_out)
         do for [p=1:drawn] {
             eval panel_of_unknown(p)
             eval rising('x', least(main, sprintf('%d', N), '1', 0), greatest(main, sprintf('%d', N), '1', 1))
@@ -64,7 +64,8 @@ orders = sorted(main, 2, '1')
 energies = seen(main, 1, '1')
 n = words(orders)
 scalar = first_of(main, 6, '1')
-bounded = count_of(main, '$11 != ""') > 0
+# Whether the dotted lines are visible: with two points at least, and not far above the norms.
+bounded = count_of(main, sprintf('$11 != "" && $11 !~ /inf/ && $11 < %g', greatest(main, '10', '1', 0) + 2)) > 1
 arithmetics = ''
 do for [s in 'double long-double quad'] { if (exists_file(file('_'.s))) { arithmetics = arithmetics.' '.s } }
 # log10 of the unit of an arithmetic, mpfr:D and ball:D by their digits.
@@ -86,9 +87,10 @@ if (words(energies) <= 2 || (n >= 3 && words(energies) <= 4)) {
     coarsest = words(arithmetics) > 0 ? unit_of(word(arithmetics, 1)) : unit_of(scalar)
     if (coarsest > bottom - 25) { bottom = smaller(bottom, coarsest) }
     top = greatest(main, '10', '1', 0)
+    floors_drawn = 0
     do for [kind in terminals] {
         eval figure_of(kind, 'error_norm')
-        eval heading('Convergence of the series and of its resummation on [0, T*]', 'the largest error on the way from the top to the bottom, in '.scalar)
+        eval heading('Convergence of the series and of its resummation on [0, T*]', 'the largest error on the way from the top to the bottom, '.in_arithmetic(scalar))
         do for [p=1:words(energies)] {
             e = word(energies, p)
             g = first_of(main, 8, sprintf('$1 == "%s"', e))
@@ -109,8 +111,9 @@ if (words(energies) <= 2 || (n >= 3 && words(energies) <= 4)) {
             do for [s in arithmetics.' '.scalar] {
                 k = k + 1
                 if (unit_of(s) > bottom - 2) {
+                    floors_drawn = 1
                     set arrow 10 + k from graph 0, first unit_of(s) to graph 1, first unit_of(s) nohead lc rgb '#888888' lw 1.2 dt 4
-                    set label 10 + k 'ε of '.s at graph 0.01, first unit_of(s) left offset 0, 0.5 textcolor rgb soft
+                    set label 10 + k 'ε of '.arithmetic_name(s) at graph 0.01, first unit_of(s) left offset 0, 0.5 textcolor rgb soft
                 }
             }
             plot [0:word(orders, n) * 1.06 + 1] height + x * log10(rate) with lines lw 1.2 dt 5 lc rgb '#444444', \
@@ -125,8 +128,8 @@ if (words(energies) <= 2 || (n >= 3 && words(energies) <= 4)) {
              NaN with linespoints lw 2.2 dt 1 pt 7 ps 0.6 lc rgb resummed_colour title 'resummation', \
              NaN with lines lw 1.5 dt 3 lc rgb soft title bounded ? 'proved bound' : '', \
              NaN with lines lw 1.2 dt 5 lc rgb '#444444' title 'rate (T*/R)^N', \
-             for [i=1:words(rounded)] NaN with points pt mark[i] ps 0.9 lw 1.2 lc rgb soft title words(arithmetics) > 0 ? 'in '.word(arithmetics, i) : '', \
-             NaN with lines lw 1.2 dt 4 lc rgb '#888888' title 'ε, its floor'
+             for [i=1:words(rounded)] NaN with points pt mark[i] ps 0.9 lw 1.2 lc rgb soft title words(arithmetics) > 0 ? 'in '.arithmetic_name(word(arithmetics, i)) : '', \
+             NaN with lines lw 1.2 dt 4 lc rgb '#888888' title floors_drawn ? 'ε, the floor of an arithmetic' : ''
         eval figure_done
     }
 } else {
@@ -143,7 +146,7 @@ if (words(energies) <= 2 || (n >= 3 && words(energies) <= 4)) {
     foot = foot_for(shown_in_key(n) + 4, 12)
     do for [kind in terminals] {
         eval figure_of(kind, 'error_norm')
-        eval heading('Error of the pendulum series and of its resummation on [0, T*]', 'the largest error on the way from the top to the bottom'.(scalar[1:4] eq 'ball' ? ', proved' : ', in '.scalar).(words(baseline) == 2 ? sprintf('; RK4 is a Runge-Kutta march in double, Δt = %s', number_name(tidy(word(baseline, 1)))) : ''))
+        eval heading('Error of the pendulum series and of its resummation on [0, T*]', 'the largest error on the way from the top to the bottom'.', '.in_arithmetic(scalar).(words(baseline) == 2 ? sprintf('; RK4: Runge-Kutta method in double, Δt = %s', number_name(tidy(word(baseline, 1)))) : ''))
         set rmargin 2; set tmargin 2; set bmargin 3.6; set lmargin 9
         p = 0
         if (over_energy) {
@@ -210,7 +213,7 @@ if (words(energies) <= 2 || (n >= 3 && words(energies) <= 4)) {
                 eval energies_on_x(left, right)
                 eval separatrix_on_x(left, right)
                 set yrange [bottom - 2:greatest(main, '10', '1', 0) + 1]
-                set title a offset 0, -0.5
+                set title arithmetic_name(a) offset 0, -0.5
                 set xlabel e_axis
                 if (s == 1) { set ylabel norm_axis } else { unset ylabel }
                 unset key

@@ -38,7 +38,7 @@ if (equation ne '') {
         plot NaN with linespoints lw 1.6 dt 1 pt mark[1] ps 0.7 lc rgb soft title 'series', \
              NaN with linespoints lw 1.6 dt 2 pt mark[2] ps 0.7 lc rgb soft title 'Padé [N/2, N/2]', \
              NaN with lines lw 1 dt 3 lc rgb '#444444' title 'without rounding', \
-             for [i=1:n] NaN with lines lw 2.4 lc rgb shade[i] title word(scalars, i)
+             for [i=1:n] NaN with lines lw 2.4 lc rgb shade[i] title arithmetic_name(word(scalars, i))
         eval figure_done
     }
     exit
@@ -64,7 +64,7 @@ panel_h = panels == 1 ? 520 : 360
 foot = foot_for(shown_in_key(n) + 4, 18)
 do for [kind in terminals] {
     eval figure_of(kind, 'precision_floor')
-    eval heading('How small the error gets before rounding wins', 'error norm on [0, T*]'.(panels < words(energies) ? sprintf(', %d of %d energies', panels, words(energies)) : ''))
+    eval heading('How small the error gets before rounding dominates', 'error norm on [0, T*]'.(panels < words(energies) ? sprintf(', %d of %d energies', panels, words(energies)) : ''))
     set xrange [0:last * 1.06]
     set lmargin 9; set rmargin 2; set tmargin 2; set bmargin 3.6
     do for [p=1:panels] {
@@ -86,10 +86,10 @@ do for [kind in terminals] {
         eval no_heading
     }
     eval key_strip
-    plot for [s=1:n] NaN with lines lw 2.4 lc rgb tone(s) title word(scalars, s), \
+    plot for [s=1:n] NaN with lines lw 2.4 lc rgb tone(s) title arithmetic_name(word(scalars, s)), \
          NaN with lines lw 2 dt 2 lc rgb soft title 'series', \
          NaN with lines lw 2 lc rgb soft title 'resummation', \
          NaN with lines lw 1.3 dt 3 lc rgb '#666666' title 'without rounding', \
-         NaN with lines lw 4 lc rgb '#666666' title 'its ε, on the right'
+         NaN with lines lw 4 lc rgb '#666666' title 'ε, on the right'
     eval figure_done
 }

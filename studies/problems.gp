@@ -9,7 +9,6 @@ sizes = data.'/problems_coefficients.csv'
 nearest = data.'/problems_singularities.csv'
 names = seen(main, 1, '1')
 count = words(names)
-plain(name) = ask(sprintf("printf '%%s' '%s' | tr _ ' '", name))
 unknowns_of(name) = seen(nearest, 11, sprintf('$1 == "%s"', name))
 of(name, c, u) = sprintf('$1 == "%s" && $%d == "%s"', name, c, u)
 across = count < 6 ? count : 6
@@ -29,7 +28,7 @@ do for [kind in terminals] {
         list = unknowns_of(name)
         eval panel(p)
         eval small
-        set title plain(name) font ',11' offset 0, -0.6
+        set title problem_name(name) font ',11' offset 0, -0.6
         eval rising('x', least(main, '2', sprintf('$1 == "%s"', name), 0), greatest(main, '2', sprintf('$1 == "%s"', name), 1))
         eval rising('y', least(main, '3', sprintf('$1 == "%s"', name), 0), greatest(main, '3', sprintf('$1 == "%s"', name), 1))
         set xtics autofreq; set xtics (least(main, '2', sprintf('$1 == "%s"', name), 0), greatest(main, '2', sprintf('$1 == "%s"', name), 1)) format '%.3g'
@@ -45,7 +44,7 @@ do for [kind in terminals] {
         list = unknowns_of(name)
         eval panel(p)
         eval small
-        set title plain(name) font ',11' offset 0, -0.6
+        set title problem_name(name) font ',11' offset 0, -0.6
         eval rising('x', 0, greatest(sizes, '2', sprintf('$1 == "%s"', name), 1))
         eval rising('y', least(sizes, '3', sprintf('$1 == "%s"', name), -1), greatest(sizes, '3', sprintf('$1 == "%s"', name), 1))
         plot for [i=1:shown(list)] rows(sizes, 2, 3, of(name, 4, word(list, i))) using 1:2 with points pt 7 ps 0.25 lc rgb shade[i]
@@ -60,7 +59,7 @@ do for [kind in terminals] {
         r = least(nearest, '2', sprintf('$1 == "%s"', name), 0)
         eval panel(p)
         eval small
-        set title plain(name) font ',11' offset 0, -0.6
+        set title problem_name(name) font ',11' offset 0, -0.6
         if (r > 0) {
             far = larger(r, smaller(3 * r, greatest(nearest, '2', sprintf('$1 == "%s"', name), r)))
             set size ratio -1

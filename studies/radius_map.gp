@@ -114,49 +114,45 @@ radius(x, h) = sqrt((1 - x)**2 + h**2)
 rate(x, h) = (x > 0.5 ? x : 1 - x) / radius(x, h)
 fastest = 1.2
 do for [j=1:shown] { fastest = larger(fastest, larger(rate(0, k[j]), rate(1, k[j]))) }
-foot = 46
-head = 40
 
 # One row of panels per order: radius, rate and error.
-high = 350
-all = head + high * panels + foot + 0.0
+across = 3; down = panels
+panel_w = 407; panel_h = 350
+foot = foot_for(shown_in_key(shown), 12)
 do for [kind in terminals] {
-    eval use_terminal(kind, target.'/radius_map', 1220, all)
-    set multiplot
-    set label 1 'Radius of convergence about each point of the way, from coefficients alone (marks) and exactly (lines)' at screen 0.5, 1 - 20 / all center font ',16'
+    eval figure_of(kind, 'radius_map')
+    eval heading('Radius of convergence about each point of the way from the top to the bottom', 'exactly (lines) and from coefficients alone (marks)')
     set xrange [-0.02:1.02]
     set samples 201
     set xlabel 'expansion point, fraction x of T*'
-    set lmargin 8; set rmargin 2; set tmargin 2.2; set bmargin 3.4
+    set lmargin 8; set rmargin 2; set tmargin 2.2; set bmargin 3.6
+    unset key
     do for [i=1:panels] {
         n = order(i)
-        set size 1 / 3.0, high / all
-        set origin 0, (foot + high * (panels - i)) / all
+        eval panel(3 * i - 2)
         set title 'N = '.n.': radius'
         set ylabel 'R/T*' offset 1.5
         set yrange [0:highest * 1.15]
-        if (i == 1) { set key at screen 0.5, (foot - 8) / all center top vertical maxrows 1 title '' samplen 2.5 width (shown > 6 ? -1 : 2) } else { unset key }
         plot for [j=1:shown] [0:1] radius(x, k[j]) with lines lw 1.8 dt line_of(j) lc rgb colour(j, shown) notitle, \
-             for [j=1:shown] at(energy(j), n, 4, '$4 / $17') using 1:2 with points pt mark_of(j) ps 0.8 lw 1.3 lc rgb colour(j, shown) title in_key(j, shown) ? 'E = '.named(j) : ''
-        unset label 1
-        unset key
-        set origin 1 / 3.0, (foot + high * (panels - i)) / all
+             for [j=1:shown] at(energy(j), n, 4, '$4 / $17') using 1:2 with points pt mark_of(j) ps 0.8 lw 1.3 lc rgb colour(j, shown) notitle
+        eval no_heading
+        eval panel(3 * i - 1)
         set title 'N = '.n.': rate on [0, T*]'
-        set ylabel 'max(x, 1-x) T*/R' offset 1
+        set ylabel 'max(x, 1 − x) T*/R' offset 1
         set yrange [0:1.07 * fastest]
         set arrow 1 from 0.5, graph 0 to 0.5, graph 1 nohead lc rgb '#888888' dt 3
-        set label 2 'diverges at an end' at graph 0.03, first 1 offset 0, 0.6 textcolor rgb soft
+        set label 2 'above 1: diverges at an end' at graph 0.03, graph 0.95 textcolor rgb soft
         set arrow 2 from graph 0, first 1 to graph 1, first 1 nohead lc rgb '#888888' lw 1
-        plot for [j=1:shown] [0:1] rate(x, k[j]) with lines lw 1.8 dt line_of(j) lc rgb colour(j, shown), \
-             for [j=1:shown] at(energy(j), n, 16, '$16') using 1:2 with points pt mark_of(j) ps 0.8 lw 1.3 lc rgb colour(j, shown)
-        unset arrow 1; unset arrow 2
-        unset label 2
-        set origin 2 / 3.0, (foot + high * (panels - i)) / all
+        plot for [j=1:shown] [0:1] rate(x, k[j]) with lines lw 1.8 dt line_of(j) lc rgb colour(j, shown) notitle, \
+             for [j=1:shown] at(energy(j), n, 16, '$16') using 1:2 with points pt mark_of(j) ps 0.8 lw 1.3 lc rgb colour(j, shown) notitle
+        unset arrow; unset label 2
+        eval panel(3 * i)
         set title 'N = '.n.': relative error of R'
-        set ylabel 'log_{10} |R estimated/R - 1|' offset 0
+        set ylabel 'log_{10} |R estimated/R − 1|' offset 0
         set yrange [lowest:1]
-        plot for [j=1:shown] at(energy(j), n, 8, sprintf('$8 ~ /inf/ ? %g : $8', lowest)) using 1:2 with points pt mark_of(j) ps 0.8 lw 1.3 lc rgb colour(j, shown)
+        plot for [j=1:shown] at(energy(j), n, 8, sprintf('$8 ~ /inf/ ? %g : $8', lowest)) using 1:2 with points pt mark_of(j) ps 0.8 lw 1.3 lc rgb colour(j, shown) notitle
     }
-    unset multiplot
-    unset output
+    eval key_strip
+    plot for [j=1:shown] NaN with linespoints lw 1.8 dt line_of(j) pt mark_of(j) ps 0.8 lc rgb colour(j, shown) title in_key(j, shown) ? 'E = '.named(j) : ''
+    eval figure_done
 }

@@ -33,7 +33,7 @@ if (equation ne '') {
             eval no_heading
         }
         eval key_strip
-        plot for [i=1:n] NaN with linespoints lw i == 1 ? 2.6 : 1.2 pt mark_of(i) ps 0.7 lc rgb tone(i) title word(methods, i)
+        plot for [i=1:n] NaN with linespoints lw i == 1 ? 2.6 : 1.2 pt mark_of(i) ps 0.7 lc rgb tone(i) title test_name(word(methods, i))
         eval figure_done
     }
     exit
@@ -56,35 +56,38 @@ half(s, y) = strcol(1) eq 'judged' && strcol(2) eq s && strcol(3) ne 'all' ? y :
 array mark[6] = [4, 8, 6, 12, 10, 2]
 tint(k) = colour(k, words(orders))
 panels = words(scalars) + 1
-left = 0.19
-wide = (0.985 - left) / panels
+# Three strips: heading, key of the orders, and key of the right panel with the axis.
+left = 0.2
+wide_of_panel = (0.985 - left) / panels
+middle = wide_of_panel * words(scalars) + left
 
 do for [kind in terminals] {
-    eval use_terminal(kind, target.'/radius_tournament', 1280, 640)
+    eval use_terminal(kind, target.'/radius_tournament', 1280, 90 + 38 * count + 130)
     set multiplot
     set label 1 'Radius of convergence from coefficients alone: a tournament of tests' at screen 0.5, 0.97 center font ',16'
     set yrange [0.4:count + 0.6]
     set border 1 lc rgb '#444444'
     set grid noxtics ytics lc rgb '#eeeeee' lw 1
-    set tmargin at screen 0.86
-    set bmargin at screen 0.12
+    set tmargin at screen 0.87
+    set bmargin at screen 0.21
     unset key
     do for [p=1:words(scalars)] {
         s = word(scalars, p)
-        set lmargin at screen left + (p - 1) * wide
-        set rmargin at screen left + p * wide - 0.02
+        set lmargin at screen left + (p - 1) * wide_of_panel
+        set rmargin at screen left + p * wide_of_panel - 0.02
         unset ytics
-        if (p == 1) { do for [i=1:count] { set ytics add (word(methods, i) count + 1 - i) scale 0 } }
+        if (p == 1) { do for [i=1:count] { set ytics add (test_name(word(methods, i)) count + 1 - i) scale 0 } }
         if (p > 1) { do for [i=1:count] { set ytics add ('' count + 1 - i) scale 0 } }
         most = real(ask(sprintf("awk -F, '$2 == \"%s\" { print $7 }' '%s' | sort -g | tail -n 1", s, ranking)))
         set xrange [0:most * 1.06 + 0.5]
-        set xlabel 'correct digits, mean ('.s.')'
-        if (p == 1) { set key at screen left + 0.02, 0.915 left horizontal samplen 1 width 1 title 'order N:' left }
-        plot for [k=1:words(orders)] ranking using (of(s, word(orders, k), column(7))):(place(strcol(4))) with points pt mark_of(k) ps 1.1 lw 1.8 lc rgb tint(k) title in_key(k, words(orders)) ? word(orders, k) : ''
+        set xlabel 'correct digits, mean'
+        set label 4 (p == 1 ? 'in ' : '').arithmetic_name(s) at graph 0, 1.03 left textcolor rgb '#222222'
+        if (p == 1) { set key at screen left + wide_of_panel, 0.055 center horizontal samplen 1 width 1 font ',14' title '' }
+        plot for [k=1:words(orders)] ranking using (of(s, word(orders, k), column(7))):(place(strcol(4))) with points pt mark_of(k) ps 1.1 lw 1.8 lc rgb tint(k) title in_key(k, words(orders)) ? 'N = '.word(orders, k) : ''
         unset label 1
         unset key
     }
-    set lmargin at screen left + words(scalars) * wide
+    set lmargin at screen middle
     set rmargin at screen 0.985
     unset ytics
     do for [i=1:count] { set ytics add ('' count + 1 - i) scale 0 }
@@ -92,15 +95,12 @@ do for [kind in terminals] {
     set xtics 0.8, 0.05, 1
     set xlabel 'errors within the uncertainty'
     set arrow 1 from 0.95, graph 0 to 0.95, graph 1 nohead lc rgb '#888888' dt 3
-    set label 2 'asked: 0.95' at 0.95, graph 1.0 center offset 0, 0.4 textcolor rgb '#555555' font ',10'
-    set label 3 'median uncertainty/error' at 0.785, graph 1.0 left offset 0, 0.4 textcolor rgb '#555555' font ',10'
+    set label 2 'required: 0.95' at 1.01, graph 1.03 right textcolor rgb '#555555' font ',13'
+    set label 3 "median of\nuncertainty/error" at 0.785, graph 1.055 left textcolor rgb '#555555' font ',13'
+    unset label 4
     near(x) = x < 0.825 ? 0.825 : x
-    plot for [p=1:words(scalars)] coverage using (half(word(scalars, p), near(column(5)))):(place(strcol(3))) with points pt (p == words(scalars) ? 7 : 6) ps 1.1 lw 1.5 lc rgb shade[p == words(scalars) ? 5 : 4] notitle, \
-         coverage using (half(last_scalar, 0.795)):(place(strcol(3))):(sprintf('%.3g', column(6))) with labels font ',10' textcolor rgb '#333333' notitle
-    unset arrow 1
-    unset label 2
-    unset label 3
-    set xtics autofreq
-    unset multiplot
-    unset output
+    set key at screen (middle + 0.985) / 2, 0.055 center horizontal samplen 1 width 1 font ',14'
+    plot for [p=1:words(scalars)] coverage using (half(word(scalars, p), near(column(5)))):(place(strcol(3))) with points pt (p == words(scalars) ? 7 : 6) ps (p == words(scalars) ? 1.1 : 1.6) lw 1.5 lc rgb shade[p == words(scalars) ? 5 : 4] title arithmetic_name(word(scalars, p)), \
+         coverage using (half(last_scalar, 0.8)):(place(strcol(3))):(sprintf('%.3g', column(6))) with labels font ',13' textcolor rgb '#333333' notitle
+    eval figure_done
 }

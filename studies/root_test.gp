@@ -83,12 +83,12 @@ do for [kind in terminals] {
             a = amplitude(p)
             set origin (i - 1.0) / across, (foot + high * (1 - row)) / all
             set size 1.0 / across, high / all
-            set title about(p).(row == 0 ? ': |a_n|^{-1/n}' : ': |n a_n|^{-1/n}')
+            set title about(p).(row == 0 ? ': |a_n|^{−1/n}' : ': |n a_n|^{−1/n}')
             set yrange [row == 0 ? -4 : -5 : highest]
             if (i == 1) { set ylabel 'log_{10} |relative error|' } else { unset ylabel }
             if (row == 0 && i == 1) { set key at screen 0.5, (foot - 8) / all center top vertical maxrows 1 title '' samplen 1 width 2 } else { unset key }
-            set label 2 row == 0 ? 'grey: ln(n)/n' : sprintf('grey: ln(A)/n, A = %d', a) at graph 0.98, 0.94 right textcolor rgb soft
-            set label 3 row == 0 ? sprintf('dotted: (n/A)^{1/n} - 1, A = %d', a) : 'dotted: 1 - A^{-1/n}' at graph 0.98, 0.865 right textcolor rgb soft
+            set label 2 row == 0 ? 'grey: ln n/n' : sprintf('grey: ln A/n, A = %d', a) at graph 0.98, 0.94 right textcolor rgb soft
+            set label 3 row == 0 ? sprintf('dotted: (n/A)^{1/n} − 1, A = %d', a) : 'dotted: 1 − A^{−1/n}' at graph 0.98, 0.855 right textcolor rgb soft
             plot [2:last * 1.15] log10_of(row == 0 ? log(x) / x : log(a) / x) with lines lw 5 lc rgb '#dddddd' notitle, \
                  log10_of(row == 0 ? (x / a)**(1 / x) - 1 : 1 - a**(-1 / x)) with lines lw 1.2 dt 3 lc rgb '#555555' notitle, \
                  for [j=1:shown] errors(energy(j), p, 9 + row) using 1:2 with points pt mark_of(j) ps 0.7 lw 1.2 lc rgb colour(j, shown) title in_key(j, shown) ? 'E = '.named(j) : ''
@@ -104,7 +104,7 @@ answers = data.'/root_test_estimates.csv'
 figure = 'root_test_estimates'
 listed = 'root root-corrected top-line verdict'
 results_title = 'Relative error (marks) and uncertainty (thin lines) of R, from N coefficients'
-results_axis = 'log_{10} relative to R'
+results_axis = 'log_{10} (|error|/R)'
 floor_below(which) = int(smaller(-3, least(answers, '9', which, 0))) - 2
 of_verdict = floor_below('$4 == "verdict"')
 of_sizes = floor_below('$4 != "verdict"')

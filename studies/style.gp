@@ -109,12 +109,29 @@ pick(list, most, j) = words(list) <= most ? word(list, j) : word(list, 1 + int((
 smaller(a, b) = a < b ? a : b
 larger(a, b) = a > b ? a : b
 
-# --- numbers in mathematical notation: 2e-7 is 2·10^{-7}; 1.99999999999999999999 is 2 - 10^{-20} by its gap.
+# --- numbers in mathematical notation: 2e-7 is 2·10^{-7}, a long decimal has five digits; 1.99999999999999999999 is
+# 2 - 10^{-20} by its gap.
 tens(m, e) = (m eq '1' ? '' : m.'·').'10^{'.(e[1:1] eq '-' ? '−'.e[2:*] : e).'}'
-number_name(s) = strstrt(s, 'e') ? tens(s[1:strstrt(s, 'e') - 1], s[strstrt(s, 'e') + 1:*]) : strlen(s) > 9 ? s[1:8].'…' : s
-tidy(s) = ask("printf '%.6g' '".s."' | sed 's/e\\([+-]\\)0*/e\\1/; s/e+/e/'")
-from_two(g) = g[1:1] eq '-' ? '2 + '.number_name(tidy(g[2:*])) : '2 − '.number_name(tidy(g))
+in_powers(s) = s[1:1] eq '-' ? '−'.in_powers(s[2:*]) : strstrt(s, 'e') ? tens(s[1:strstrt(s, 'e') - 1], s[strstrt(s, 'e') + 1:*]) : s
+printed(form, s) = ask("printf '".form."' '".s."' | sed 's/e\\([+-]\\)0*/e\\1/; s/e+/e/'")
+tidy(s) = printed('%.6g', s)
+number_name(s) = in_powers(strlen(s) > 9 && !strstrt(s, 'e') ? printed('%.5g', s) : s)
+small_number_name(s) = in_powers(abs(number(s)) < 1e-3 ? ask("printf '%.5e' '".s."' | sed 's/0*e/e/; s/\\.e/e/; s/e\\([+-]\\)0*/e\\1/'") : tidy(s))
+from_two(g) = g[1:1] eq '-' ? '2 + '.small_number_name(g[2:*]) : '2 − '.small_number_name(g)
 energy_name(e, g) = strlen(e) <= 9 && !strstrt(e, 'e') ? e : strlen(g) > 0 && abs(number(g)) < 0.1 ? from_two(g) : number_name(e)
+
+# --- words of the tables as a reader writes them: arithmetics, sums for T*, tests of the radius and problems.
+arithmetic_name(s) = s eq 'long-double' ? 'long double' : s[1:5] eq 'mpfr:' ? s[6:*].' digits' : s[1:5] eq 'ball:' ? 'proved, '.s[6:*].' digits' : s
+in_arithmetic(s) = s[1:5] eq 'mpfr:' ? 'with '.arithmetic_name(s) : s[1:5] eq 'ball:' ? 'proved' : 'in '.arithmetic_name(s)
+rule_name(r) = r eq 'agm' ? 'exact T*' : (r[1:1] eq 's' ? 'series' : 'resummation').', N = '.r[strstrt(r, ':') + 1:*]
+test_name(m) = ask("echo '".m."' | sed 's/domb-sykes/Domb-Sykes/; s/mercer-roberts/Mercer-Roberts/; s/hunter-guerrieri/Hunter-Guerrieri/; s/\\([a-z]\\)-\\([a-z0-9]\\)/\\1 \\2/g'")
+# Problems of the catalogue with the names of persons and abbreviations as they are written.
+surnames = 'Arenstorf Blasius Duffing Falkner Skan Nagumo Heiles Kepler Lane Emden Lorenz Lotka Volterra Rayleigh Riccati Robertson Sakiadis Thomas Fermi Toda Pol Weierstrass Flierl Petviashvili Chazy'
+pairs = 'Falkner-Skan FitzHugh-Nagumo Hénon-Heiles Lane-Emden Lotka-Volterra Thomas-Fermi Flierl-Petviashvili'
+capital_rules = "s/^detest \\(.*\\)$/DETEST \\U\\1/; s/fitzhugh/FitzHugh/; s/henon/Hénon/; s/painleve/Painlevé/; s/hires/HIRES/; s/^se\\?ir/\\U&/; s/japan/Japan/"
+do for [each in surnames] { capital_rules = capital_rules.sprintf('; s/\<%s\>/\u&/I', each) }
+do for [each in pairs] { capital_rules = capital_rules.sprintf('; s/%s/%s/', each[1:strstrt(each, '-') - 1].' '.each[strstrt(each, '-') + 1:*], each) }
+problem_name(p) = ask("printf '%s' '".p."' | tr '_' ' ' | sed '".capital_rules."'")
 
 # --- a figure of panels: `across` by `down`, each panel_w by panel_h, with a heading above and the key below them.
 head = 62
@@ -138,6 +155,11 @@ t_axis = 'time t / (ℓ/g)^{1/2}'
 norm_axis = 'log_{10} (max |error| / rad)'
 error_axis = 'log_{10} (|error| / rad)'
 gap_axis = 'log_{10} |2 − E / (m g ℓ)| → E = 2'
+# Between tics, for at most seven of them from -r to r.
+times_decade(x, decade) = decade * (x < 1.5 * decade ? 1 : x < 3.5 * decade ? 2 : x < 7.5 * decade ? 5 : 10)
+step_of(r) = times_decade(r / 2.2, 10**floor(log10(r / 2.2)))
+# Tics at these values alone, at most `most` of them, on the axis x or y.
+tics_at(which, list, most) = (tics_text = '', sum [tic=1:smaller(words(list), most)] (tics_text = tics_text.(tic > 1 ? ', ' : '').pick(list, most, tic), 0), sprintf('set %stics (%s)', which, tics_text))
 # An axis from a to b, with margins at both ends; a single value is in the middle.
 room(a, b) = b > a ? 0.04 * (b - a) : larger(0.5, 0.1 * abs(a))
 rising(which, a, b) = sprintf("set %srange [%.15g:%.15g]", which, a - room(a, b), b + room(a, b))

@@ -94,8 +94,8 @@ do for [kind in terminals] {
     plot for [i=1:(by_digits ? 1 : n)] NaN with lines lw 2.4 lc rgb tone(i, n) title !by_digits && in_key(i, n) ? 'D = '.word(digits, i) : '', \
          NaN with linespoints pt 7 ps 0.5 lw 2 dt 2 lc rgb by_digits ? shade[5] : soft title 'series', \
          NaN with linespoints pt 7 ps 0.5 lw 2 lc rgb by_digits ? shade[4] : soft title 'resummation', \
-         NaN with points pt 1 ps 0.8 lc rgb soft title 'proved, series', \
-         NaN with points pt 2 ps 0.7 lc rgb soft title 'proved, resummed', \
-         NaN with lines lw 1.5 dt 3 lc rgb soft title 'D ln 10/ln(R/T*)'
+         NaN with points pt 1 ps 0.8 lc rgb soft title 'proved bound, series', \
+         NaN with points pt 2 ps 0.7 lc rgb soft title 'proved bound, resummation', \
+         NaN with lines lw 1.5 dt 3 lc rgb soft title 'D ln 10 / ln (R/T*)'
     eval figure_done
 }

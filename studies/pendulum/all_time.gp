@@ -12,7 +12,7 @@ panels = smaller(words(rules), 9)
 first = least(file, '7', '1', 0)
 last = greatest(file, '7', '1', 1)
 named(i) = 'E = '.number_name(word(energies, i))
-periods_axis = 'log_{10} p, periods'
+periods_axis = 'log_{10} p'
 
 eval grid(panels, 4)
 panel_w = panels == 1 ? 800 : panels == 2 ? 520 : panels == 3 ? 400 : across == 2 ? 520 : 310
@@ -21,14 +21,14 @@ foot = foot_for(shown_in_key(n) + 1, 12)
 low = larger(least(file, '8', '1', -16), -40); high = greatest(file, '8 9', '1', 0)
 do for [kind in terminals] {
     eval figure_of(kind, 'all_time')
-    eval heading('Error after p periods with an inexact T*', 'the title of a panel says how T* was made'.(words(rules) > panels ? sprintf('; %d of %d ways', panels, words(rules)) : ''))
+    eval heading('Error after p periods with an inexact T*', 'each panel: T* from N powers of its series or of the resummation'.(words(rules) > panels ? sprintf('; %d of %d sums', panels, words(rules)) : ''))
     eval rising('x', first, last)
     set yrange [low - room(low, high):high + room(low, high)]
     set lmargin 9; set rmargin 2; set tmargin 2; set bmargin 3.6
     set xlabel periods_axis
     do for [c=1:panels] {
         eval panel(c)
-        set title 'T* by '.pick(rules, panels, c) noenhanced offset 0, -0.5
+        set title rule_name(pick(rules, panels, c)) offset 0, -0.5
         if ((c - 1) % across == 0) { set ylabel norm_axis } else { unset ylabel }
         unset key
         plot for [i=1:n] rows_at(file, 7, 9, '1 2', word(energies, i).','.pick(rules, panels, c), '1') using 1:2 with lines lw 1.4 dt 3 lc rgb colour(i, n), \
@@ -57,7 +57,7 @@ do for [kind in terminals] {
     do for [c=1:panels] {
         s = word(scalars, c)
         eval panel(c)
-        set title s offset 0, -0.5
+        set title arithmetic_name(s) offset 0, -0.5
         if ((c - 1) % across == 0) { set ylabel norm_axis } else { unset ylabel }
         unset key
         plot for [i=1:n] rows_at(reduction, 7, 9, '1 2 3', word(energies, i).','.s.',fmod', '1') using 1:2 with lines lw 1.4 dt 3 lc rgb colour(i, n), \

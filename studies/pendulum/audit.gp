@@ -19,10 +19,10 @@ farthest = number(ask("awk -F, 'NR > 1 { x = log($1) / log(10); if (!n++ || x > 
 eval grid(panels, 3)
 panel_w = panels == 1 ? 860 : panels == 2 ? 590 : 400
 panel_h = panels == 1 ? 520 : 350
-foot = foot_for(4, 24)
+foot = foot_for(4, 28)
 do for [kind in terminals] {
     eval figure_of(kind, name)
-    eval heading('Correct digits of θ in double, from the nearest k and from the exact gap', 't = 0 at the top'.(words(times) > panels ? sprintf('; %d of %d times', panels, words(times)) : ''))
+    eval heading('Correct digits of θ in double, from the rounded modulus k and from the exact gap', 't = 0 at the top'.(words(times) > panels ? sprintf('; %d of %d times', panels, words(times)) : ''))
     eval falling('x', nearest, farthest)
     if (across == 3 && farthest - nearest > 10) { set xtics 5 } # steps of 2 would overlap
     set yrange [0:19]
@@ -42,9 +42,9 @@ do for [kind in terminals] {
         eval no_heading
     }
     eval key_strip
-    plot NaN with points pt 6 lc rgb shade[5] title 'ours, from the exact gap', \
-         NaN with points pt 7 lc rgb shade[4] title called.', nearest k', \
-         NaN with lines lw 2 dt 2 lc rgb shade[6] title 'what the nearest k tells', \
-         NaN with lines lw 1.3 dt 3 lc rgb '#666666' title 'one unit of double'
+    plot NaN with points pt 6 lc rgb shade[5] title 'Libration, from the exact gap', \
+         NaN with points pt 7 lc rgb shade[4] title called.', from k rounded to double', \
+         NaN with lines lw 2 dt 2 lc rgb shade[6] title 'limit due to the rounding of k', \
+         NaN with lines lw 1.3 dt 3 lc rgb '#666666' title 'ε of double'
     eval figure_done
 }

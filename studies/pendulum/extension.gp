@@ -23,10 +23,10 @@ across = columns
 down = 2
 panel_w = columns == 1 ? 940 : columns == 2 ? 600 : 420
 panel_h = 300
-foot = foot_for(shown_in_key(n) + 3, 14)
+foot = foot_for(shown_in_key(n) + 2, 16)
 do for [kind in terminals] {
     eval figure_of(kind, name)
-    eval heading(heading_text, 'T is the period'.(words(energies) > columns ? sprintf('; %d of %d energies', columns, words(energies)) : ''))
+    eval heading(heading_text, 'T is the period; vertical lines at the multiples of T*, a quarter or half of it'.(words(energies) > columns ? sprintf('; %d of %d energies', columns, words(energies)) : ''))
     set lmargin 9; set rmargin 3; set tmargin 2
     do for [c=1:columns] {
         e = pick(energies, columns, c)
@@ -58,7 +58,6 @@ do for [kind in terminals] {
     eval key_strip
     plot for [i=1:n] NaN with lines lw 2.3 dt dash(i) lc rgb colour(i, n) title in_key(i, n) ? 'N = '.word(orders, i) : '', \
          NaN with lines lw 1 lc rgb '#888888' title 'exact', \
-         NaN with points pt 6 ps 0.8 lw 1.2 lc rgb '#000000' title 'numerical', \
-         NaN with lines lw 1 lc rgb '#bbbbbb' title '| multiples of T*'
+         NaN with points pt 6 ps 0.8 lw 1.2 lc rgb '#000000' title 'Runge-Kutta (RK4)'
     eval figure_done
 }

@@ -19,16 +19,16 @@ dash(i) = word(rules, i)[1:1] eq 's' ? '_' : (word(rules, i)[1:1] eq 'a' || i ==
 hue(i) = word(rules, i) eq 'agm' ? '#888888' : n > 6 ? colour(i, n) : shade[(7-i)%6+1]
 weight(i) = word(rules, i) eq 'agm' ? 1.2 : 2.3
 of(e, i) = e.','.word(rules, i).','.order
-name_of(i) = word(rules, i) eq 'agm' ? 'exact T*' : word(rules, i)
+name_of(i) = rule_name(word(rules, i))
 
 across = columns
 down = 2
 panel_w = columns == 1 ? 940 : columns == 2 ? 600 : 420
 panel_h = 300
-foot = foot_for(shown_in_key(n) + 1, 14)
+foot = foot_for(shown_in_key(n) + 1, 20)
 do for [kind in terminals] {
     eval figure_of(kind, 'period_effect')
-    eval heading('The resummation (N = '.order.') extended with an inexact T*', 'the key says by which sum T* was made'.(words(energies) > columns ? sprintf('; %d of %d energies', columns, words(energies)) : ''))
+    eval heading('The resummation (N = '.order.') extended with an inexact T*', 'the key names the sum from which T* is computed'.(words(energies) > columns ? sprintf('; %d of %d energies', columns, words(energies)) : ''))
     set lmargin 9; set rmargin 3; set tmargin 2
     do for [c=1:columns] {
         e = pick(energies, columns, c)
@@ -56,6 +56,6 @@ do for [kind in terminals] {
     }
     eval key_strip
     plot for [i=1:n] NaN with lines lw weight(i) dt dash(i) lc rgb hue(i) title in_key(i, n) ? name_of(i) : '', \
-         NaN with points pt 7 ps 0.6 lc rgb '#000000' title 'numerical'
+         NaN with points pt 7 ps 0.6 lc rgb '#000000' title 'Runge-Kutta (RK4)'
     eval figure_done
 }

@@ -5,7 +5,7 @@ load scripts.'/style.gp'
 
 file = data.'/resummations.csv'
 methods = 'series resummed resummed_4 resummed_8 two_point pade uniform'
-names = '"series" "resummed, m = 2" "m = 4" "m = 8" "two-point" "Padé; gap: pole" "uniform"'
+names = '"series" "resummation, m = 2" "m = 4" "m = 8" "two-point" "Padé (gaps: poles)" "uniform"'
 tones = '#999999 #E69F00 #D55E00 #56B4E9 #009E73 #0072B2 #000000'
 signs = '1 4 6 8 12 2 7'
 energies = seen(file, 1, '1')

@@ -29,16 +29,18 @@ all = high * down + head + foot + 0.0
 do for [kind in terminals] {
     eval use_terminal(kind, target.'/singularities', wide, all)
     set multiplot
-    set label 9 (count > 1 ? 'Singularities of θ(t) and poles of Padé approximants of omega made of N coefficients' : 'Singularities of θ(t), and Padé poles from N coefficients') at screen 0.5, 1 - 20 / all center font ',16'
+    set label 9 (count > 1 ? 'Singularities of θ(t) and poles of Padé approximants of ω from N coefficients' : 'Singularities of θ(t), and Padé poles from N coefficients') at screen 0.5, 1 - 20 / all center font ',16'
     set samples 361
     unset grid
+    set style textbox opaque noborder fillcolor rgb '#ffffff' margins 0.3, 0.2
     set key at screen 0.5, (foot - 4) / all center top vertical maxrows keys samplen 2.5 width 1
     do for [p=1:count] {
         e = pick(energies, 6, p)
         tstar = of(e, 14); height = of(e, 15); radius = of(e, 6)
-        # The CSV contains the lattice up to 4 T* and 4 K~', or 1.5 R.
+        # The CSV contains the lattice up to 4 T* and 4 K~', or 1.5 R. A panel is not higher than wide.
         w = larger(3.6 * tstar, 1.2 * radius)
-        h = smaller(larger(larger(3.6 * height, 1.2 * radius), 0.62 * w), larger(3.99 * height, 1.49 * radius))
+        h = larger(1.2 * radius, smaller(3.6 * height, w))
+        h = smaller(larger(h, 0.62 * w), larger(3.99 * height, 1.49 * radius))
         set origin ((p - 1) % across) / (across + 0.0), 1 - (head + high * ((p - 1) / across + 1)) / all
         set size 1.0 / across, high / all
         set size ratio -1
@@ -49,13 +51,13 @@ do for [kind in terminals] {
         set ylabel 'Im t / (ℓ/g)^{1/2}'
         set arrow 1 from -w, 0 to w, 0 nohead lc rgb '#888888' lw 0.8 back
         set arrow 2 from 0, -h to 0, h nohead lc rgb '#888888' lw 0.8 dt 3 back
-        aside = tstar < 0.25 * larger(w, h) ? -1 : 1
-        if (aside > 0) { set label 1 'T*' at tstar, 0 right offset -0.4, 0.7 } else { set label 1 'T*' at tstar, 0 left offset 0.4, 0.7 }
-        if (aside > 0) { set label 2 '-T*' at -tstar, 0 left offset 0.4, 0.7 } else { set label 2 '-T*' at -tstar, 0 right offset -0.4, 0.7 }
+        # Beside their marks, with the paper behind them, and away from the circles, which all pass through T* + i K~'.
+        set label 1 'T*' at tstar, 0 left offset 0.5, -0.8 boxed
+        set label 2 '−T*' at -tstar, 0 right offset -0.5, -0.8 boxed
         set label 1 point pt 13 ps 0.9 lc rgb '#555555' front
         set label 2 point pt 13 ps 0.9 lc rgb '#555555' front
-        set label 3 'i K̃′' at 0, height left offset 0.6, 0 point pt 13 ps 0.9 lc rgb '#555555' front
-        set label 4 'top' at 0, 0 left offset 0.6, -0.7 point pt 13 ps 0.9 lc rgb '#555555' front
+        set label 3 'i K̃′' at 0, height left offset 0.6, 0 point pt 13 ps 0.9 lc rgb '#555555' front boxed
+        set label 4 '' at 0, 0 point pt 13 ps 0.9 lc rgb '#555555' front
         plot '+' using (radius * cos(2 * pi * $0 / 360)):(radius * sin(2 * pi * $0 / 360)) with lines lw 2 lc rgb '#0072B2' title 'circle about top', \
              '+' using (tstar + height * cos(2 * pi * $0 / 360)):(height * sin(2 * pi * $0 / 360)) with lines lw 2 dt 2 lc rgb '#D55E00' title 'circle about bottom', \
              '+' using (-tstar + height * cos(2 * pi * $0 / 360)):(height * sin(2 * pi * $0 / 360)) with lines lw 2 dt 2 lc rgb '#D55E00' notitle, \

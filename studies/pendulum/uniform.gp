@@ -22,7 +22,7 @@ if (words(energies) <= 2) {
     foot = foot_for(4, 16)
     do for [kind in terminals] {
         eval figure_of(kind, 'uniform')
-        eval heading('Convergence of the uniform resummation on [0, T*]', 'in '.first_of(exact, 7, '1').' and in double')
+        eval heading('Convergence of the uniform resummation on [0, T*]', in_arithmetic(first_of(exact, 7, '1')).' and in double')
         do for [p=1:words(energies)] {
             e = word(energies, p)
             which = sprintf('$1 == "%s"', e)

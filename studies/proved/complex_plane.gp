@@ -9,7 +9,6 @@ places = data.'/complex_plane_singularities.csv'
 proofs = data.'/complex_plane_proofs.csv'
 names = seen(main, 1, '1')
 count = words(names)
-plain(name) = ask(sprintf("printf '%%s' '%s' | tr _ ' '", name))
 of(name) = sprintf('$1 == "%s"', name)
 part_of(name, part) = sprintf('$1 == "%s" && $2 == "%s"', name, part)
 grid_of(name) = points_by("awk -F, 'NR > 1 && $1 == \"".name."\" { print $2 \",\" $3 \",\" ($4 == \"\" ? 0 : $4) \",\" ($5 == \"\" ? 9 : $5) }' '".main."'")
@@ -19,10 +18,6 @@ colour_of(m, a) = a > 8 ? 0xffffff : hsv2rgb((a + pi) / (2 * pi), 0.45, shade_of
 red(m, a) = int(colour_of(m, a)) >> 16
 green(m, a) = (int(colour_of(m, a)) >> 8) & 255
 blue(m, a) = int(colour_of(m, a)) & 255
-
-# Between tics, for at most seven of them from -r to r.
-times_decade(x, decade) = decade*(x < 1.5*decade ? 1 : x < 3.5*decade ? 2 : x < 7.5*decade ? 5 : 10)
-step_of(r) = times_decade(r/2.2, 10**floor(log10(r/2.2)))
 
 eval grid(count, 4)
 panel_w = count < 3 ? 460 : 300
@@ -37,7 +32,7 @@ do for [kind in terminals] {
         eval panel(p)
         set lmargin 6; set rmargin 2; set tmargin 2; set bmargin 2.6; unset key; unset grid
         set size ratio -1
-        set title plain(name).': '.first_of(main, 6, of(name)) font ',12' offset 0, -0.6
+        set title problem_name(name).': '.first_of(main, 6, of(name)) font ',12' offset 0, -0.6
         set xrange [-reach:reach]; set yrange [-reach:reach]
         set xtics step_of(reach) format '%.3g' font ',10'; set ytics step_of(reach) format '%.3g' font ',10'
         set datafile nocolumnheaders

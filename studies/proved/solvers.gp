@@ -7,7 +7,6 @@ problems = seen(main, 1, '1')
 n = words(problems)
 libraries = seen(main, 2, '$9 != ""')
 methods_of(s) = seen(main, 4, sprintf('$9 != "" && $2 == "%s"', s))
-nice(name) = ask("echo '".name."' | tr '_' ' '")
 of(p, s, m) = sprintf('$1 == "%s" && $2 == "%s" && $4 == "%s" && $7 > 0', p, s, m)
 # All methods, as library:method, with the index of their library.
 curves = ''
@@ -37,7 +36,7 @@ do for [kind in terminals] {
     do for [p=1:n] {
         name = word(problems, p)
         eval panel(p)
-        set title nice(name) offset 0, -0.5
+        set title problem_name(name) offset 0, -0.5
         if (p > n - across) { set xlabel 'evaluations' } else { unset xlabel }
         if ((p - 1) % across == 0) { set ylabel 'digits' } else { unset ylabel }
         unset key

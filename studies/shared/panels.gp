@@ -3,7 +3,7 @@
 # `equation`, that of the problem, in addition to the variables of style.gp.
 load scripts.'/style.gp'
 
-called = ask(sprintf("printf '%%s' '%s' | tr _ ' '", equation))
+called = equation eq 'typed' ? 'the given equation' : problem_name(equation)
 table_of(suffix) = data.'/'.stem.suffix.'.csv'
 main = table_of('')
 place(f, c) = ask(sprintf("head -n 1 '%s' | tr ',' '\\n' | grep -nxF -- '%s' | cut -d: -f1", f, c)) + 0

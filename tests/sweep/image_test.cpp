@@ -62,6 +62,16 @@ TEST_CASE("an SVG loses what draws nothing", "[sweep][image]") {
           "<text>1.718  is a Label L rgb(1, 2, 3)</text>\n</svg>\n");
 }
 
+TEST_CASE("an SVG keeps the spaces around subscripts and superscripts", "[sweep][image]") {
+    const auto drawing = [](const std::string& text) { return "<svg>\n<defs>\n</defs>\n" + text + "\n</svg>\n"; };
+    CHECK(finished_image(".svg", drawing("<text><tspan > log</tspan><tspan dy=\"4.20px\">10</tspan><tspan> x</tspan>"
+                                         "</text><text><tspan > 0.5</tspan></text>")) ==
+          drawing("<text xml:space=\"preserve\"><tspan >log</tspan><tspan dy=\"4.2px\">10</tspan><tspan> x</tspan>"
+                  "</text><text><tspan > 0.5</tspan></text>"));
+    CHECK(finished_image(".svg", drawing("<text></text><text><tspan>a</tspan></text>")) ==
+          drawing("<text></text><text><tspan>a</tspan></text>"));
+}
+
 TEST_CASE("an SVG names the figure, and no curve by the words of its script", "[sweep][image]") {
     CHECK(finished_image(".svg",
                          "<svg>\n<title>Gnuplot</title>\n<defs>\n</defs>\n"

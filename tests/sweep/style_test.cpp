@@ -99,6 +99,39 @@ TEST_CASE("a table of more curves than a process may have files open is read as 
     CHECK(script.file("points/1-3000.csv") == "x,y\n0,2999\n1,3000\n" + out_of_sight);
 }
 
+TEST_CASE("a script of figures prints numbers and words of tables as a reader writes them", "[sweep][figures]") {
+    const asked_by_gnuplot numbers(
+        "do for [s in '2e-7 1e-20 -1.5 0.43714285714 -0.00001234567'] { print number_name(s) }\n"
+        "print energy_name('1.9998', '0.0002')\nprint energy_name('1.999800005', '0.000199995')\n"
+        "print energy_name('1.99999999999999999999', '1e-20')\nprint energy_name('2.0000000001', '-1e-10')\n");
+    CHECK(numbers.code() == 0);
+    CHECK(numbers.said() ==
+          "2·10^{−7}\n10^{−20}\n−1.5\n0.43714\n−1.2346·10^{−5}\n1.9998\n2 − 1.99995·10^{−4}\n2 − 10^{−20}\n"
+          "2 + 10^{−10}\n");
+    const asked_by_gnuplot names(
+        "do for [s in 'long-double mpfr:40 ball:40'] { print arithmetic_name(s) }\nprint in_arithmetic('mpfr:40')\n"
+        "do for [s in 'agm series:100 resummed:10'] { print rule_name(s) }\n"
+        "do for [s in 'domb-sykes pole-of-derivative differential-approximant-2'] { print test_name(s) }\n"
+        "do for [s in 'falkner_skan sir sir_japan detest_a1 van_der_pol_10 my_problem'] { print problem_name(s) }\n");
+    CHECK(names.code() == 0);
+    CHECK(names.said() ==
+          "long double\n40 digits\nproved, 40 digits\nwith 40 digits\nexact T*\nseries, N = 100\nresummation, N = 10\n"
+          "Domb-Sykes\npole of derivative\ndifferential approximant 2\nFalkner-Skan\nSIR\nSIR Japan\nDETEST A1\n"
+          "van der Pol 10\nmy problem\n");
+}
+
+TEST_CASE("the line of a Domb-Sykes plot follows from a verdict", "[sweep][figures]") {
+    // t0 = 2 and -2 in t; the three roots of -8 in t^3, of which one is given; a pair; no radius.
+    const asked_by_gnuplot script(
+        "load scripts.'/shared/ratio_fit.gp'\nprint fit_of(1, '2', '2', '', '1')\nprint fit_of(1, '2', '-2', '0', "
+        "'1')\n"
+        "print fit_of(3, '2', '1', '1.7320508075688772', '3')\nprint fit_of(1, '2', '0', '2', '2') == 1\n"
+        "print fit_of(1, '', '', '', '') == 1\nprint fit_slope(3, -0.125, '-2')\n"
+        "print fit_uncertainty(1, 0.5, '2', '1e-6')\nprint with_uncertainty('3.9402114990', '0.00000597')\n");
+    CHECK(script.code() == 0);
+    CHECK(script.said() == "0.5\n-0.5\n-0.125\n0\n0\n3.0\n2.5e-07\nR = 3.940211 ± 6·10^{−6}\n");
+}
+
 TEST_CASE("points that cannot be written end a script of figures", "[sweep][figures]") {
     const std::string nowhere = "no such folder";
     CHECK(asked_by_gnuplot("print points_by('echo 1,2')\n").code() == 0);

@@ -12,6 +12,7 @@
 #include "libration/ode/unused_parameters.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "libration/scalar/text/near_word.hpp"
+#include "run/grid.hpp"
 #include "run/stream_content.hpp"
 #include "text/input_error.hpp"
 #include "text/quotation.hpp"
@@ -88,7 +89,7 @@ problem_source problem_named(const std::string& words) {
     return {words, text_of_catalogue(words)};
 }
 
-void problem_options::add_to(CLI::App& command, closed_forms known) {
+void problem_options::add_to(CLI::App& command, closed_forms known, set_values sets) {
     command_ = &command;
     command
         .add_option("--problem", problem_,
@@ -97,9 +98,11 @@ void problem_options::add_to(CLI::App& command, closed_forms known) {
                     "x^2 or x\u00b2, with the functions " +
                         function_names())
         ->type_name("P");
+    const std::string of_families = sets == set_values::lists ? "; k=1,2,3 or k=1:3:5 for a family" : "";
     command
         .add_option("--set", changes_,
-                    "a parameter or initial value that the problem leaves open, or another one: k=1/3, \"f'(0)=1\"")
+                    "a parameter or initial value that the problem leaves open, or another one: k=1/3, \"f'(0)=1\"" +
+                        of_families)
         ->type_name("X=VALUE");
     if (known == closed_forms::used) {
         command.add_flag("--general", general_,
@@ -114,7 +117,7 @@ std::unique_ptr<libration::solution> problem_options::solution(bool general) con
     const libration::problem asked(equations());
     auto found = naming_option(changes_.empty() ? "--problem" : "--problem with --set",
                                [&] { return solve(asked, {.general = general || general_}); });
-    if (!found->closed_form().empty()) {
+    if (!found->closed_form().empty() && !announced_) {
         fmt::print(stderr,
                    "libration: the equations are those of {}: its closed form is used (Taylor series with --general)\n",
                    found->closed_form());
@@ -126,6 +129,57 @@ std::unique_ptr<libration::solution> problem_options::general_solution() const {
     const libration::problem asked(equations());
     return naming_option(changes_.empty() ? "--problem" : "--problem with --set",
                          [&] { return solve(asked, {.general = true}); });
+}
+
+namespace {
+
+// Whether the text of --set has several values: a comma or a colon outside of parentheses.
+bool is_list(std::string_view values) {
+    int depth = 0;
+    return std::ranges::any_of(values, [&](char c) {
+        depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+        return depth == 0 && (c == ',' || c == ':');
+    });
+}
+
+std::string trimmed(std::string_view text) {
+    const auto first = text.find_first_not_of(' ');
+    const auto last = text.find_last_not_of(' ');
+    return first == std::string_view::npos ? "" : std::string(text.substr(first, last + 1 - first));
+}
+
+}  // namespace
+
+std::vector<family_member> problem_options::family() const {
+    constexpr std::size_t most_members = 1000;
+    std::vector<family_member> all{{{}, *this}};
+    for (std::size_t i = 0; i < changes_.size(); ++i) {
+        const std::string& change = changes_[i];
+        const auto equals = change.find('=');
+        if (equals == std::string::npos || !is_list(std::string_view(change).substr(equals + 1))) {
+            continue;
+        }
+        const auto values = reading("--set", change, "write NAME=1/2,1,2 or NAME=a:b:count",
+                                    [&] { return read_grid(change.substr(equals + 1)); });
+        if (all.size() * values.size() > most_members) {
+            throw input_error("--set", change, fmt::format("makes more than {} solutions", most_members),
+                              "write fewer values");
+        }
+        const std::string name = trimmed(change.substr(0, equals));
+        std::vector<family_member> more;
+        for (const family_member& each : all) {
+            for (const exact& value : values) {
+                more.push_back(each);
+                more.back().values.emplace_back(name, value.text);
+                more.back().problem.changes_[i] = name + " = " + value.text;
+            }
+        }
+        all = std::move(more);
+    }
+    for (std::size_t i = 1; i < all.size(); ++i) {
+        all[i].problem.announced_ = all[i].problem.warned_ = true;
+    }
+    return all;
 }
 
 bool problem_options::is_chosen() const {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "libration/ode/explicit_system.hpp"
@@ -43,12 +44,19 @@ problem_source problem_named(const std::string& words);
 /// intended. It is therefore a warning, and stdout is unchanged. Throws error if the problem cannot be read.
 void warn_of_unused_parameters(const std::string& written);
 
+class problem_options;
+
+/// A problem of a family: the values of the lists of --set, by name, and its options.
+struct family_member;
+
 /// --problem NAME | FILE.ode | 'TEXT; WITH; SEMICOLONS' and --set k=1/3, --set "f'(0)=1", any number of them.
 class problem_options {
 public:
     /// Whether a command uses closed forms if they are known, and has --general, which disables them.
     enum class closed_forms { used, not_used };
-    void add_to(CLI::App& command, closed_forms known = closed_forms::not_used);
+    /// Whether --set accepts lists, which make a family.
+    enum class set_values { single, lists };
+    void add_to(CLI::App& command, closed_forms known = closed_forms::not_used, set_values sets = set_values::single);
     /// The solution, nullptr if no problem is given; by Taylor series with --general or `general`. A line on stderr
     /// names the closed form that is used. Throws input_error, also for --set and --general without --problem.
     std::unique_ptr<libration::solution> solution(bool general = false) const;
@@ -63,6 +71,11 @@ public:
     /// The argument as it was given.
     const std::optional<std::string>& problem() const { return problem_; }
     const std::vector<std::string>& changes() const { return changes_; }
+    /// The name of the problem for titles (problem_source::name). Throws input_error.
+    std::string name() const { return problem_named(*problem_).name; }
+    /// The combinations of the lists --set X=1,2 or X=a:b:n, the last list fastest; one problem without values if there
+    /// are no lists. Throws input_error.
+    std::vector<family_member> family() const;
 
 private:
     void warn_of_unused(const std::string& written) const;
@@ -71,7 +84,13 @@ private:
     std::optional<std::string> problem_;
     std::vector<std::string> changes_;
     bool general_ = false;
+    bool announced_ = false;  ///< the first of a family has announced what holds for all
     mutable bool warned_ = false;
+};
+
+struct family_member {
+    std::vector<std::pair<std::string, std::string>> values;
+    problem_options problem;
 };
 
 }  // namespace libration

@@ -1,4 +1,5 @@
 #include "equation/solution_table.hpp"
+#include "text/members.hpp"
 
 #include <fmt/format.h>
 
@@ -144,6 +145,49 @@ std::string lines_of_states(const table& data) {
         }
     }
     return text;
+}
+
+namespace {
+
+// The columns of the first table that all of them have.
+std::vector<std::string> common_columns(const std::vector<partial_table>& parts) {
+    auto names = members_of(parts.front().rows.columns(), &column::name);
+    for (const partial_table& part : parts) {
+        const auto own = members_of(part.rows.columns(), &column::name);
+        std::erase_if(names, [&](const std::string& name) { return std::ranges::find(own, name) == own.end(); });
+    }
+    return names;
+}
+
+}  // namespace
+
+partial_table family_table(const std::vector<family_member>& family, const std::vector<partial_table>& parts) {
+    const auto names = common_columns(parts);
+    std::vector<column> columns;
+    for (const auto& [name, value] : family.front().values) {
+        columns.push_back({name, ""});
+    }
+    for (const std::string& name : names) {
+        columns.push_back({name, ""});
+    }
+    partial_table all{table(std::move(columns)), "", "", {}, {}};
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const auto own = members_of(parts[i].rows.columns(), &column::name);
+        for (const auto& row : parts[i].rows.rows()) {
+            table_row_cells cells;
+            for (const auto& [name, value] : family[i].values) {
+                cells.push_back(number_cell(value));
+            }
+            for (const std::string& name : names) {
+                cells.push_back(row[static_cast<std::size_t>(std::ranges::find(own, name) - own.begin())]);
+            }
+            all.rows.add_row(std::move(cells));
+        }
+        all.missing = all.missing ? all.missing : parts[i].missing;
+        all.collocation.insert(all.collocation.end(), parts[i].collocation.begin(), parts[i].collocation.end());
+    }
+    all.text = lines_of_states(all.rows);
+    return all;
 }
 
 partial_table stacked_states(const std::vector<partial_table>& parts) {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "equation/problem_options.hpp"
 #include "libration/problem/solution.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/exact.hpp"
@@ -36,6 +37,10 @@ struct partial_table {
     /// Whether there is something to write: false if the first time is missing already.
     bool has_output() const { return !missing || !rows.rows().empty(); }
 };
+
+/// The tables of a family of solutions, one below the other, with the values that distinguish them in the first columns;
+/// columns that not all of them have are left out. What the first table misses is missing.
+partial_table family_table(const std::vector<family_member>& family, const std::vector<partial_table>& parts);
 
 /// Throws the error of what is missing, once the rest has been written.
 void require_complete(const partial_table& of);

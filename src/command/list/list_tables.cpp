@@ -2,17 +2,17 @@
 
 #include <algorithm>
 #include <functional>
-#include <numeric>
 #include <optional>
 #include <utility>
 
-#include "libration/algebra/polynomial_roots.hpp"
 #include "libration/approximant/endpoint_approximant.hpp"
-#include "libration/approximant/pade.hpp"
 #include "libration/convergence/list/coefficient_unit.hpp"
+#include "libration/convergence/radius_answers.hpp"
 #include "libration/digits/agreed_values.hpp"
 #include "libration/problem/axis.hpp"
+#include "libration/problem/radius_answer.hpp"
 #include "libration/scalar/text/decimal.hpp"
+#include "list/coefficient_tables.hpp"
 #include "option/options.hpp"
 
 namespace libration {
@@ -22,7 +22,6 @@ using namespace convergence;
 
 namespace {
 
-constexpr long first_guard = 30;
 constexpr int most_orders = 40;
 
 // a_n u^n in the precision in force.
@@ -39,16 +38,6 @@ power_series<mpfr> scaled_list(const list_request& request, int order, const mpf
 mpfr unit_of_list(const list_request& request) {
     const precision_scope scope(40);
     return unit_of(scaled_list(request, request.order(), mpfr(1))).length;
-}
-
-// [L/M] with L + M = N and M = N/2, or the next smaller M whose equations are not singular.
-pade_approximant<mpfr> pade_of(const power_series<mpfr>& a) {
-    for (int m = a.order() / 2; m > 0; --m) {
-        if (auto found = pade(a, a.order() - m, m)) {
-            return *std::move(found);
-        }
-    }
-    return {a, power_series<mpfr>(std::vector<mpfr>{mpfr(1)})};
 }
 
 // std::nullopt at a pole.
@@ -76,7 +65,7 @@ function_of_time approximant(const list_request& request, list_method method, in
     if (method == list_method::series) {
         return [a, unit](const mpfr& t) { return std::optional(evaluate_value(a, mpfr(t / unit))); };
     }
-    const auto found = pade_of(a);
+    const auto found = pade_of_list(a);
     return [found, unit](const mpfr& t) {
         const mpfr x = t / unit;
         const mpfr below = evaluate_value(found.denominator, x);
@@ -137,20 +126,6 @@ std::vector<int> orders_up_to(int last) {
     return orders;
 }
 
-// The power of t that symmetry leaves: the greatest common divisor of the steps between the coefficients behind a_0
-// that are not 0; 1 where there are not two of them.
-int power_left(const std::vector<mpfr>& a) {
-    int first = 0;
-    int power = 0;
-    for (int n = 1; n < static_cast<int>(a.size()); ++n) {
-        if (a[static_cast<std::size_t>(n)] != 0) {
-            first = first == 0 ? n : first;
-            power = std::gcd(power, n - first);
-        }
-    }
-    return std::max(power, 1);
-}
-
 }  // namespace
 
 table list_values(const list_request& request) {
@@ -197,99 +172,21 @@ table list_errors(const list_request& request) {
     return data;
 }
 
-namespace {
-
-struct pole_or_zero {
-    const char* kind;
-    complex_number<mpfr> at;
-};
-
-// The roots with im >= 0; none of a constant.
-std::vector<pole_or_zero> upper_roots(const char* kind, power_series<mpfr> p, const mpfr& unit) {
-    int degree = p.order();
-    while (degree > 0 && p[degree] == 0) {
-        --degree;
-    }
-    std::vector<pole_or_zero> found;
-    if (degree == 0) {
-        return found;
-    }
-    for (const auto& root : roots_of(p.truncated(degree)).all) {
-        const bool real = abs(root.at.im) <= root.error_bound;
-        if (real || root.at.im > 0) {
-            found.push_back({kind, complex_number<mpfr>{root.at.re, real ? mpfr(0) : root.at.im} * unit});
-        }
-    }
-    return found;
-}
-
-std::optional<mpfr> distance_to_other_kind(const pole_or_zero& from, const std::vector<pole_or_zero>& all) {
-    std::optional<mpfr> least;
-    for (const auto& other : all) {
-        if (other.kind != from.kind) {
-            const mpfr apart = modulus_of(other.at - from.at);
-            least = least && *least < apart ? *least : apart;
-        }
-    }
-    return least;
-}
-
-}  // namespace
-
 table list_poles(const list_request& request) {
-    const mpfr unit = unit_of_list(request);
-    // The system loses less than a digit and a half with each degree, and its roots as many again.
-    const precision_scope scope(request.digits + first_guard + 3 * request.order());
-    const auto found = pade_of(scaled_list(request, request.order(), unit));
-    const char* const pole = "pole";
-    const char* const zero = "zero";
-    auto all = upper_roots(pole, found.denominator, unit);
-    const auto zeros = upper_roots(zero, found.numerator, unit);
-    all.insert(all.end(), zeros.begin(), zeros.end());
-    std::stable_sort(all.begin(), all.end(),
-                     [](const auto& a, const auto& b) { return modulus_of(a.at) < modulus_of(b.at); });
-    table data({{"kind", ""}, {"position_re", ""}, {"position_im", ""}, {"modulus", ""}, {"distance", ""}});
-    for (const auto& each : all) {
-        data.add_row({each.kind, decimal_cell(each.at.re, request.digits), decimal_cell(each.at.im, request.digits),
-                      decimal_cell(modulus_of(each.at), request.digits),
-                      decimal_cell(distance_to_other_kind(each, all), error_digits)});
-    }
-    return data;
+    const precision_scope scope(digits_for_poles(request.digits, request.order()));
+    return poles_of(scaled_list(request, request.order(), mpfr(1)), request.digits);
 }
 
 table list_ratios(const list_request& request) {
-    const precision_scope scope(request.digits + first_guard);
-    table data({{"n", ""},
-                {"inverse_n", ""},
-                {"ratio", ""},
-                {"root", ""},
-                {"corrected_root", ""},
-                {"power", ""},
-                {"ratio_in_power", ""}});
-    std::vector<mpfr> a;
-    a.reserve(request.coefficients.size());
-    for (const exact& coefficient : request.coefficients) {
-        a.push_back(from_exact<mpfr>(coefficient));
-    }
-    const int power = power_left(a);
-    const auto ratio_to = [&](int n, int back) {
-        const bool after_constant = back == 1 || n > back;
-        const mpfr before = n >= back && after_constant ? a[static_cast<std::size_t>(n - back)] : mpfr(0);
-        return before == 0 ? cell() : decimal_cell(mpfr(a[static_cast<std::size_t>(n)] / before), request.digits);
-    };
-    for (int n = 0; n <= request.order(); ++n) {
-        const mpfr& now = a[static_cast<std::size_t>(n)];
-        if (n > 0) {
-            const auto root = [&](const mpfr& x) {
-                return x == 0 ? std::nullopt : std::optional(mpfr(exp(mpfr(log(x)) / n)));
-            };
-            const mpfr size = abs(now);
-            data.add_row({n, decimal_cell(mpfr(mpfr(1) / n), request.digits), ratio_to(n, 1),
-                          decimal_cell(root(size), request.digits), decimal_cell(root(mpfr(size * n)), request.digits),
-                          power, ratio_to(n, power)});
-        }
-    }
-    return data;
+    const precision_scope scope(digits_for_ratios(request.digits));
+    return ratios_of(scaled_list(request, request.order(), mpfr(1)), request.digits);
+}
+
+table list_radius(const list_request& request) {
+    const precision_scope scope(request.digits + radius_guard_digits);
+    const listed_series list{scaled_list(request, request.order(), mpfr(1)), request.coefficients};
+    return tests_of(radius_answer({{"", {{list}, 1}}}, std::nullopt,
+                                  {.scalar = {scalar_kind::arbitrary, request.digits}, .digits = request.digits}));
 }
 
 }  // namespace libration

@@ -14,14 +14,13 @@ table list_values(const list_request& request);
 /// time,method,order,error,log10_error for at most 40 orders up to N. Without rows where there is no reference.
 table list_errors(const list_request& request);
 
-/// kind,position_re,position_im,modulus,distance: the poles and zeros of the Pade approximant [L/M], M = N/2 or as much
-/// less as determines it, by growing modulus; of conjugate ones that with im > 0. `distance` is the one to the nearest
-/// of the other kind: where it is small, both are an artefact of rounding (Froissart).
+/// The poles and zeros of a Pade approximant (poles_of).
 table list_poles(const list_request& request);
 
-/// n,inverse_n,ratio,root,corrected_root,power,ratio_in_power: what Domb-Sykes and root plots draw, a_n/a_(n-1),
-/// |a_n|^(1/n), |n a_n|^(1/n), the power p of t in which the list behind a_0 is a series, and a_n/a_(n-p), without a_0
-/// where p > 1; empty where they do not exist.
+/// What Domb-Sykes and root plots draw (ratios_of).
 table list_ratios(const list_request& request);
+
+/// The tests of the radius of convergence of the list (tests_of), the verdict first.
+table list_radius(const list_request& request);
 
 }  // namespace libration

@@ -17,6 +17,8 @@ public:
     void add_to(CLI::App& command);
     /// Whether --until is given. Throws input_error without a problem, and for an option that requires --until.
     bool given(const problem_options& problem) const;
+    /// The condition of --until as it is given.
+    const std::string& condition() const { return *until_; }
     /// Throws input_error.
     ode::event_request request(const problem_options& problem, const ode::explicit_system& system) const;
 

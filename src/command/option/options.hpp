@@ -55,6 +55,12 @@ public:
     void check() const;
     const std::string& format() const { return format_; }
     const std::optional<std::string>& file() const { return out_; }
+    /// The same without --out.
+    output_options on_stdout() const {
+        output_options same = *this;
+        same.out_.reset();
+        return same;
+    }
     /// Writes the table to stdout or the file. `text` is what the text format shows instead of the aligned table.
     void write(const table& data, const std::optional<std::string>& text = std::nullopt) const;
     /// Writes what is already in its format.

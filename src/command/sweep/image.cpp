@@ -173,12 +173,39 @@ std::string without_titles(const std::string& svg) {
     return out.append(svg, from);
 }
 
+// Texts of several pieces, such as "log", "10" and " rad", keep their spaces except in front: librsvg omits a space at
+// the start of a piece unless the text asks for it.
+std::string with_spaces_kept(const std::string& svg) {
+    constexpr std::string_view begin = "<text>";
+    constexpr std::string_view piece = "<tspan";
+    std::string out;
+    out.reserve(svg.size());
+    std::size_t from = 0;
+    for (std::size_t at = svg.find(begin); at != std::string::npos; at = svg.find(begin, from)) {
+        const std::size_t end = std::min(svg.find("</text>", at), svg.size());
+        const std::size_t first = svg.find(piece, at);
+        const std::size_t second = first == std::string::npos ? first : svg.find(piece, first + piece.size());
+        out.append(svg, from, at - from);
+        from = at + begin.size();
+        if (second >= end) {
+            out += begin;
+            continue;
+        }
+        out += "<text xml:space=\"preserve\">";
+        const std::size_t inside = svg.find('>', first) + 1;
+        out.append(svg, from, inside - from);
+        from = std::min(svg.find_first_not_of(' ', inside), svg.size());
+    }
+    return out.append(svg, from);
+}
+
 std::string compact(const std::string& svg) {
     const std::size_t body = svg.find("</defs>");  // the marks before it are measured in other units
     if (body == std::string::npos) {
         return svg;
     }
-    return svg.substr(0, body) + joined_groups(without_empty_groups(without_titles(shorter_words(svg.substr(body)))));
+    return svg.substr(0, body) +
+           with_spaces_kept(joined_groups(without_empty_groups(without_titles(shorter_words(svg.substr(body))))));
 }
 
 }  // namespace

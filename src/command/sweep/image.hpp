@@ -11,8 +11,8 @@ namespace libration {
 bool is_whole_image(const std::string& extension, const std::string& content);
 
 /// The same drawing: a PNG declares 300 dots per inch (chunk pHYs [PNG, 11.3.4.3]), an SVG loses elements that draw
-/// nothing, the titles of its curves and the second decimal of its pixels, a PDF has no time of day, so that equal
-/// drawings are byte-identical.
+/// nothing, the titles of its curves and the second decimal of its pixels, and keeps the spaces around subscripts and
+/// superscripts in every viewer, a PDF has no time of day, so that equal drawings are byte-identical.
 std::string finished_image(const std::string& extension, const std::string& content);
 
 }  // namespace libration

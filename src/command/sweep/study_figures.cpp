@@ -3,12 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
-#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -25,8 +23,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::string_view, 3> figure_extensions{".svg", ".pdf", ".png"};
-
 // gnuplot string literals in single quotes double the quote.
 std::string quoted(const std::string& text) {
     std::string result = "'";
@@ -36,15 +32,14 @@ std::string quoted(const std::string& text) {
     return result + "'";
 }
 
-// NAME.gp next to NAME.cpp.
-fs::path script_of(const study& what) {
+fs::path script_of(const std::string& name) {
     if (!fs::is_directory(studies_folder())) {
         throw input_error(
             fmt::format("figures need gnuplot and the scripts of Libration, but {} does not exist: run "
                         "without --out, or install Libration with its scripts",
                         studies_folder()));
     }
-    const std::string file = (what.script.empty() ? what.name : what.script) + ".gp";
+    const std::string file = name + ".gp";
     for (const auto& each : fs::recursive_directory_iterator(studies_folder())) {
         if (each.path().filename() == file) {
             return each.path();
@@ -80,12 +75,16 @@ private:
 };
 
 // In the directory itself, so that no character of its path is special to the shell that reads the tables.
-void run_gnuplot(const study& what, const std::string& folder) {
-    const fs::path script = script_of(what);
+void run_gnuplot(const std::string& name, const script_variables& variables, const std::vector<std::string>& kinds,
+                 const std::string& folder) {
+    const fs::path script = script_of(name);
     const std::string scratch = ".points";
-    const std::string setting = fmt::format(
-        "cd {}; data = '.'; target = '.'; scratch = {}; scripts = {}; stem = {}; equation = {}", quoted(folder),
-        quoted(scratch), quoted(studies_folder()), quoted(what.name), quoted(what.equation ? what.equation->name : ""));
+    std::string setting =
+        fmt::format("cd {}; data = '.'; target = '.'; scratch = {}; scripts = {}; terminals = {}", quoted(folder),
+                    quoted(scratch), quoted(studies_folder()), quoted(fmt::format("{}", fmt::join(kinds, " "))));
+    for (const auto& [variable, text] : variables) {
+        setting += fmt::format("; {} = {}", variable, quoted(text));
+    }
     const scratch_folder between(fs::path(folder) / scratch);
     const int code = run_program({"gnuplot", "-e", setting, script.string()});
     if (code == 127) {
@@ -110,33 +109,40 @@ void finish(const fs::path& figure) {
     }
 }
 
-// Checks that each figure exists in all three formats.
-void require_all_kinds(const study& what, const std::vector<fs::path>& figures) {
-    for (const std::string_view extension : figure_extensions) {
-        const auto own = [&](const fs::path& each) { return each.extension() == extension; };
+// Checks that each figure exists in all of the kinds.
+void require_all_kinds(const std::string& script, const std::vector<std::string>& kinds,
+                       const std::vector<fs::path>& figures) {
+    for (const std::string& kind : kinds) {
+        const auto own = [&](const fs::path& each) { return each.extension() == "." + kind; };
         const auto count = std::count_if(figures.begin(), figures.end(), own);
-        if (count == 0 || static_cast<std::size_t>(count) * figure_extensions.size() != figures.size()) {
-            throw std::runtime_error(fmt::format("gnuplot did not draw every {} of {}", extension, what.name));
+        if (count == 0 || static_cast<std::size_t>(count) * kinds.size() != figures.size()) {
+            throw std::runtime_error(fmt::format("gnuplot did not draw every .{} of {}", kind, script));
         }
     }
 }
 
 }  // namespace
 
+const std::vector<std::string>& figure_kinds() {
+    static const std::vector<std::string> kinds{"svg", "pdf", "png"};
+    return kinds;
+}
+
 bool is_figure(const std::string& file) {
-    return std::find(figure_extensions.begin(), figure_extensions.end(), fs::path(file).extension().string()) !=
-           figure_extensions.end();
+    const std::string extension = fs::path(file).extension().string();
+    return std::ranges::any_of(figure_kinds(), [&](const std::string& kind) { return extension == "." + kind; });
 }
 
 std::string studies_folder() {
     return runs_from_build_folder() ? LIBRATION_STUDIES_DIR : path_from_program(LIBRATION_INSTALLED_STUDIES_DIR);
 }
 
-void draw_figures(const study& what, const std::string& folder) {
+void draw_by_script(const std::string& script, const script_variables& variables, const std::vector<std::string>& kinds,
+                    const std::string& folder) {
     try {
-        run_gnuplot(what, folder);
+        run_gnuplot(script, variables, kinds, folder);
         const auto figures = figures_in(folder);
-        require_all_kinds(what, figures);
+        require_all_kinds(script, kinds, figures);
         std::for_each(figures.begin(), figures.end(), finish);
     } catch (const std::exception&) {
         for (const fs::path& figure : figures_in(folder)) {
@@ -144,6 +150,12 @@ void draw_figures(const study& what, const std::string& folder) {
         }
         throw;
     }
+}
+
+void draw_figures(const study& what, const std::string& folder) {
+    draw_by_script(what.script.empty() ? what.name : what.script,
+                   {{"stem", what.name}, {"equation", what.equation ? what.equation->name : ""}}, figure_kinds(),
+                   folder);
 }
 
 }  // namespace libration

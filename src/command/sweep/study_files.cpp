@@ -280,13 +280,13 @@ void draw_study(const study& what, const std::string& folder) {
     const auto working = folder_within(into.path());
     show_tables(what, description, own, working->path());
     draw_figures(what, working->path());
-    auto& files = description["files"];
-    for (auto each = files.begin(); each != files.end();) {
-        each = is_figure(each.key()) ? files.erase(each) : std::next(each);
+    auto files = fingerprints(working->path());
+    for (const auto& [name, fingerprint] : description["files"].items()) {
+        if (!is_figure(name)) {
+            files[name] = fingerprint;
+        }
     }
-    for (const auto& [name, fingerprint] : fingerprints(working->path())) {
-        files[name] = fingerprint;
-    }
+    description["files"] = files;
     const std::string json = what.name + ".json";
     write_into((fs::path(working->path()) / json).string(), description.dump(2) + '\n');
     take_places(working->path(), own, json,

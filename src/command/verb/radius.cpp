@@ -12,6 +12,8 @@
 #include "motion/solution_options.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
+#include "plot/coefficient_plot.hpp"
+#include "plot/plot_options.hpp"
 #include "text/input_error.hpp"
 #include "text/quotation.hpp"
 
@@ -23,6 +25,7 @@ struct radius_options {
     solution_options of;
     arithmetic_options arithmetic;
     output_options output;
+    plot_flag plot;
     point_options point;
     std::optional<std::string> order;
     std::optional<std::string> file;
@@ -76,7 +79,13 @@ void require_file_alone(const radius_options& options) {
     }
 }
 
-answer radius_of_solution(const radius_options& options, const arithmetic& numbers) {
+// The results of the tests, and the coefficients if they are drawn.
+struct tested_series {
+    answer found;
+    std::vector<unknown_series> drawn = {};
+};
+
+tested_series radius_of_solution(const radius_options& options, const arithmetic& numbers, bool with_coefficients) {
     options.point.require_path(options.of);
     const chosen_solution chosen = options.of.choose(options.arithmetic);
     if (!options.order && !chosen.usual_order) {
@@ -84,8 +93,19 @@ answer radius_of_solution(const radius_options& options, const arithmetic& numbe
     }
     series_request request{.order = order_of("--order", options.order ? *options.order : *chosen.usual_order)};
     options.point.complete(request, chosen);
-    return options.point.asking_about(
-        [&] { return chosen.of->radius(request, {.scalar = numbers.scalar, .digits = numbers.digits}); });
+    return options.point.asking_about([&] {
+        tested_series tested{chosen.of->radius(request, {.scalar = numbers.scalar, .digits = numbers.digits})};
+        if (with_coefficients) {
+            tested.drawn = chosen.of->coefficient_lists(request, numbers.scalar);
+        }
+        return tested;
+    });
+}
+
+tested_series radius_of_file(const radius_options& options, const arithmetic& numbers) {
+    auto lists = lists_of_file(options, numbers);
+    auto found = radius_answer(lists, std::nullopt, {.scalar = numbers.scalar, .digits = numbers.digits});
+    return {std::move(found), std::move(lists)};
 }
 
 // The columns that the text shows, below the verdict in words.
@@ -128,8 +148,12 @@ int prove_radius(const radius_options& options) {
 int run_radius(const radius_options& options) {
     options.output.check();
     if (options.prove) {
+        if (options.plot.given()) {
+            throw input_error("--plot draws coefficients, which --prove does not use: leave one of them out");
+        }
         return prove_radius(options);
     }
+    const auto figure = options.plot.file(options.output);
     if (options.check) {
         throw input_error("--check compares two proofs and requires --prove: add it, or leave --check out");
     }
@@ -141,11 +165,14 @@ int run_radius(const radius_options& options) {
             "no coefficients are given: add a motion (--energy E, --gap G, or --theta0 A with --omega0 W) and --order "
             "N, or --coefficients FILE");
     }
-    const answer found = options.file ? radius_answer(lists_of_file(options, numbers), std::nullopt,
-                                                      {.scalar = numbers.scalar, .digits = numbers.digits})
-                                      : radius_of_solution(options, numbers);
-    const table data = table_of(found);
-    options.output.write(data, text_of(found, data));
+    const auto tested =
+        options.file ? radius_of_file(options, numbers) : radius_of_solution(options, numbers, figure.has_value());
+    const table data = table_of(tested.found);
+    if (figure) {
+        figure->draw(
+            coefficient_plot(tested.drawn, tested.found, "Radius of convergence from coefficients", figure_digits));
+    }
+    table_output(options.output, figure).write(data, text_of(tested.found, data));
     return 0;
 }
 
@@ -160,6 +187,7 @@ subcommand radius_command(CLI::App& program) {
     options->of.add_to(*command);
     options->arithmetic.add_to(*command);
     options->output.add_to(*command);
+    options->plot.add_to(*command, "ratios, roots and Pade poles of the coefficients");
     command->add_option("--order", options->order, "last power N (default for a file: all of its coefficients)")
         ->type_name("N");
     command->add_flag("--prove", options->prove,

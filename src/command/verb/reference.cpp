@@ -17,6 +17,8 @@
 #include "motion/problem_events.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
+#include "plot/plot_options.hpp"
+#include "plot/solution_plot.hpp"
 #include "run/grid.hpp"
 #include "run/parallel.hpp"
 #include "run/progress.hpp"
@@ -35,6 +37,7 @@ struct reference_options {
     problem_options problem;
     integrator_options integrator;
     output_options output;
+    plot_axes plot;
     event_options events;
     std::optional<std::string> digits, times, motions, columns, jobs, trace;
     bool check = false;
@@ -193,10 +196,18 @@ int write_events(const reference_options& options, long digits) {
     }
     const auto system = options.problem.choose();
     const auto request = options.events.request(options.problem, system);
-    const auto write = [&](const table& data) { options.output.write(data, lines_of_states(data)); };
+    const auto figure = options.plot.file(options.output);
+    if (figure) {
+        options.plot.require_known(columns_of_states(system));
+    }
+    const auto output = table_output(options.output, figure);
+    const auto write = [&](const table& data) { output.write(data, lines_of_states(data)); };
     const auto found =
         naming_option("--until", [&] { return problem_events(system, request, digits, options.check, write); });
     if (!found.missing || !found.data.rows().empty()) {
+        if (figure && !found.data.rows().empty()) {
+            figure->draw(event_plot(options.problem, found.data, options.events.condition(), options.plot));
+        }
         write(found.data);
     }
     if (found.missing) {
@@ -224,10 +235,13 @@ asked_solution problem_of_options(const reference_options& options, std::unique_
     return {std::move(of), {}, infinite_time};
 }
 
-std::vector<asked_solution> asked_by(const reference_options& options, long digits) {
+std::vector<asked_solution> asked_by(const reference_options& options, const std::vector<family_member>& family,
+                                     long digits) {
     std::vector<asked_solution> asked;
-    if (auto of = options.problem.solution(options.integrator.integrates())) {
-        asked.push_back(problem_of_options(options, std::move(of)));
+    if (options.problem.is_chosen()) {
+        for (const family_member& each : family) {
+            asked.push_back(problem_of_options(options, each.problem.solution(options.integrator.integrates())));
+        }
     } else if (options.motions) {
         asked = motions_of_file(options);
     } else {
@@ -272,17 +286,26 @@ int run_reference(const reference_options& options) {
     if (options.events.given(options.problem)) {
         return write_events(options, digits);
     }
-    const auto asked = asked_by(options, digits);
+    const auto figure = options.plot.file(options.output);
+    const auto family = options.problem.is_chosen() ? options.problem.family() : std::vector<family_member>(1);
+    if (figure && options.problem.is_chosen()) {
+        options.plot.require_known(columns_of_states(family.front().problem.choose()));
+    }
+    const auto asked = asked_by(options, family, digits);
     const bool closed = std::ranges::any_of(asked, [](const auto& each) { return !each.of->closed_form().empty(); });
     if (options.check && closed && digits > most_checked_digits) {
         throw input_error("--digits", std::to_string(digits), "would take hours with --check",
                           fmt::format("write {} or fewer", most_checked_digits));
     }
-    const auto found = naming_option("--problem", [&] {
-        return integrator_options::naming([&] { return stacked_states(answered(asked, options, digits)); });
-    });
+    const auto parts = naming_option(
+        "--problem", [&] { return integrator_options::naming([&] { return answered(asked, options, digits); }); });
+    const auto found = family.size() == 1 ? stacked_states(parts) : family_table(family, parts);
     if (found.has_output()) {
-        options.output.write(found.rows, found.text);
+        if (figure) {
+            figure->draw(family_plot(family, parts, options.plot,
+                                     options.problem.is_chosen() ? options.problem.name() : "pendulum"));
+        }
+        table_output(options.output, figure).write(found.rows, found.text);
     }
     options.integrator.state(found.collocation);
     require_complete(found);
@@ -296,9 +319,10 @@ subcommand reference_command(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
         "reference", "proved digits of theta, omega, E, T, T* and R, or of any problem, at a list of times");
     options->motion.add_to(*command);
-    options->problem.add_to(*command, problem_options::closed_forms::used);
+    options->problem.add_to(*command, problem_options::closed_forms::used, problem_options::set_values::lists);
     options->integrator.add_to(*command);
     options->output.add_to(*command, output_options::columns_option::not_here);
+    options->plot.add_to(*command);
     command->add_option("--digits", options->digits, "significant digits, each proved to one unit in the last (50)")
         ->type_name("D");
     command->add_option("--times,--time", options->times, "times: 0,1.5,T/4 or a range 0:20:401")->type_name("LIST");

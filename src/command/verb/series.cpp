@@ -34,6 +34,7 @@ void write_list(const list_request& request, const table& values, const std::str
     write("errors.csv", list_errors(request));
     write("poles.csv", list_poles(request));
     write("ratios.csv", list_ratios(request));
+    write("radius.csv", list_radius(request));
     study script;
     script.name = "series";
     draw_figures(script, working.path());

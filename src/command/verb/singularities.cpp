@@ -6,9 +6,12 @@
 
 #include "equation/answer_table.hpp"
 #include "equation/problem_options.hpp"
+#include "libration/ode/constant_value.hpp"
 #include "libration/scalar/text/decimal.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
+#include "plot/plot_options.hpp"
+#include "plot/singularity_plot.hpp"
 #include "run/progress.hpp"
 #include "text/input_error.hpp"
 
@@ -22,6 +25,7 @@ constexpr long most_digits = 1000;
 struct singularities_options {
     problem_options problem;
     output_options output;
+    plot_flag plot;
     std::optional<std::string> within, digits;
     bool prove = false, check = false;
 
@@ -80,6 +84,11 @@ std::string text_of(const table& data, const answer& found) {
     return text;
 }
 
+std::string initial_point_of(const problem_options& of) {
+    const precision_scope scope(figure_digits);
+    return to_decimal(ode::constant_value<mpfr>::of(of.choose().point()), figure_digits);
+}
+
 // An error about what is not found or not proved names the option.
 answer singularities_of(const singularities_options& options, const solution& of, long digits) {
     const scalar_spec scalar{options.prove ? scalar_kind::proved : scalar_kind::arbitrary, digits};
@@ -102,6 +111,7 @@ answer singularities_of(const singularities_options& options, const solution& of
 
 int run_singularities(const singularities_options& options) {
     options.output.check();
+    const auto figure = options.plot.file(options.output);
     const auto of = options.problem.general_solution();
     if (options.check && !options.prove) {
         throw input_error("--check compares two proofs and requires --prove: add it, or leave --check out");
@@ -112,7 +122,10 @@ int run_singularities(const singularities_options& options) {
     }
     const answer found = singularities_of(options, *of, digits);
     const table data = table_of(found, labels_of_map());
-    options.output.write(data, text_of(data, found));
+    if (figure) {
+        figure->draw(singularity_plot(data, initial_point_of(options.problem), options.problem.name()));
+    }
+    table_output(options.output, figure).write(data, text_of(data, found));
     if (found.missing) {
         throw error(found.missing->kind(), "--prove", "", found.missing->reason());
     }
@@ -127,6 +140,7 @@ subcommand singularities_command(CLI::App& program) {
         "singularities", "the singularities of any problem in the complex t-plane, proved on request");
     options->problem.add_to(*command);
     options->output.add_to(*command);
+    options->plot.add_to(*command, "the map of the complex plane");
     command
         ->add_option("--within", options->within,
                      "the distance from the initial point (default: twice that of the nearest)")

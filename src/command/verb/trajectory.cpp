@@ -13,6 +13,8 @@
 #include "motion/trajectory_points.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
+#include "plot/plot_options.hpp"
+#include "plot/solution_plot.hpp"
 #include "run/progress.hpp"
 #include "sweep/study_order.hpp"
 #include "text/input_error.hpp"
@@ -32,6 +34,7 @@ struct trajectory_options {
     integrator_options integrator;
     arithmetic_options arithmetic;
     output_options output;
+    plot_axes plot;
     std::optional<std::string> method;
     std::optional<std::string> order;
     std::string times;
@@ -161,16 +164,35 @@ partial_table trajectory_of_problem(const trajectory_options& options) {
     });
 }
 
+// The solutions of a problem, one or a family.
+int run_problem(const trajectory_options& options, const std::optional<figure_file>& figure) {
+    const auto family = options.problem.family();
+    if (figure) {
+        options.plot.require_known(columns_of_states(family.front().problem.choose()));
+    }
+    std::vector<partial_table> parts;
+    for (const family_member& member : family) {
+        trajectory_options own = options;
+        own.problem = member.problem;
+        parts.push_back(trajectory_of_problem(own));
+    }
+    const partial_table found = parts.size() == 1 ? parts.front() : family_table(family, parts);
+    if (found.has_output()) {
+        if (figure) {
+            figure->draw(family_plot(family, parts, options.plot, options.problem.name()));
+        }
+        table_output(options.output, figure).write(found.rows);
+    }
+    options.integrator.state(found.collocation);
+    require_complete(found);
+    return 0;
+}
+
 int run_trajectory(const trajectory_options& options) {
     options.output.check();
+    const auto figure = options.plot.file(options.output);
     if (options.problem.is_chosen()) {
-        const partial_table found = trajectory_of_problem(options);
-        if (found.has_output()) {
-            options.output.write(found.rows);
-        }
-        options.integrator.state(found.collocation);
-        require_complete(found);
-        return 0;
+        return run_problem(options, figure);
     }
     options.integrator.require_absent("has no meaning without --problem");
     if (options.via) {
@@ -195,7 +217,10 @@ int run_trajectory(const trajectory_options& options) {
         data.add_row({number_cell(times[i]), cell(), cell(), cell(), typed});
         fmt::print(stderr, "libration: {}\n", shortened(fmt::format("no state at '{}': {}", typed, undecided)));
     }
-    options.output.write(data);
+    if (figure) {
+        figure->draw(solution_plot({{"", data}}, options.plot, {}, "pendulum"));
+    }
+    table_output(options.output, figure).write(data);
     return decided ? 0 : 1;
 }
 
@@ -206,10 +231,11 @@ subcommand trajectory_command(CLI::App& program) {
     CLI::App* command =
         program.add_subcommand("trajectory", "theta and omega, or the unknowns of any problem, at a list of times");
     options->motion.add_to(*command);
-    options->problem.add_to(*command, problem_options::closed_forms::used);
+    options->problem.add_to(*command, problem_options::closed_forms::used, problem_options::set_values::lists);
     options->integrator.add_to(*command);
     options->arithmetic.add_to(*command, arithmetics::proved_too);
     options->output.add_to(*command);
+    options->plot.add_to(*command);
     command
         ->add_option("--method", options->method,
                      "exact (the default); series, resummed or uniform, with --order; rk4; of a problem taylor (the "
