@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "equation/derivative_options.hpp"
 #include "equation/integrator_options.hpp"
 #include "equation/problem_options.hpp"
 #include "equation/problem_trajectory.hpp"
@@ -34,6 +35,7 @@ struct reference_options {
     motion_options motion;
     problem_options problem;
     integrator_options integrator;
+    derivative_options derivatives;
     output_options output;
     event_options events;
     std::optional<std::string> digits, times, motions, columns, jobs, trace;
@@ -175,9 +177,10 @@ void refuse_motions(const reference_options& options) {
     }
 }
 
-// Throws for --integrator and --trace if nothing is integrated to given times.
+// Throws for options of an integration to given times if there is none.
 void require_no_integration(const reference_options& options, const std::string& reason) {
     options.integrator.require_absent(reason);
+    options.derivatives.require_absent(reason);
     if (options.trace) {
         throw input_error("--trace", *options.trace, reason, "leave it out");
     }
@@ -226,7 +229,7 @@ asked_solution problem_of_options(const reference_options& options, std::unique_
 
 std::vector<asked_solution> asked_by(const reference_options& options, long digits) {
     std::vector<asked_solution> asked;
-    if (auto of = options.problem.solution(options.integrator.integrates())) {
+    if (auto of = options.problem.solution(options.integrator.integrates() || options.derivatives.differentiate())) {
         asked.push_back(problem_of_options(options, std::move(of)));
     } else if (options.motions) {
         asked = motions_of_file(options);
@@ -249,6 +252,7 @@ std::vector<partial_table> answered(const std::vector<asked_solution>& asked, co
     on_threads(asked.size(), jobs_of(options.jobs), [&](std::size_t i) {
         progress_of_part to(shown);
         parts[i] = states_of(asked[i], {.scalar = {scalar_kind::proved, digits},
+                                        .derivatives = options.derivatives.numbers(),
                                         .check = options.check,
                                         .progress = [&](double part) { to(part); },
                                         .reached = [&](double time, long bits) { to.reached(time, bits); },
@@ -279,7 +283,9 @@ int run_reference(const reference_options& options) {
                           fmt::format("write {} or fewer", most_checked_digits));
     }
     const auto found = naming_option("--problem", [&] {
-        return integrator_options::naming([&] { return stacked_states(answered(asked, options, digits)); });
+        return derivative_options::naming([&] {
+            return integrator_options::naming([&] { return stacked_states(answered(asked, options, digits)); });
+        });
     });
     if (found.has_output()) {
         options.output.write(found.rows, found.text);
@@ -298,6 +304,7 @@ subcommand reference_command(CLI::App& program) {
     options->motion.add_to(*command);
     options->problem.add_to(*command, problem_options::closed_forms::used);
     options->integrator.add_to(*command);
+    options->derivatives.add_to(*command);
     options->output.add_to(*command, output_options::columns_option::not_here);
     command->add_option("--digits", options->digits, "significant digits, each proved to one unit in the last (50)")
         ->type_name("D");
