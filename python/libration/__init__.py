@@ -9,7 +9,8 @@
 
 Numbers are exact as they are written: texts, int, Fraction, Decimal, numbers of mpmath and SymPy. A float is refused
 where it would stand for a number that a person meant, and is data in radius(), trajectory(), odefun() and solve_ivp().
-Results are Balls: digits, a bound of what they miss, and what stands behind that: 'proved', 'two-method' or 'heuristic'. Errors are LibrationError: ArgumentError (a ValueError), UndecidedError, RangeError, Fault.
+Results are Balls: digits, a bound of their error, and their rigour: 'proved', 'two-method' or 'heuristic'. Errors are
+LibrationError: ArgumentError (a ValueError), UndecidedError, RangeError, Fault.
 """
 
 from . import _libration

@@ -18,7 +18,7 @@ _messages = {
 }
 _known_options = {"first_step", "max_step", "rtol", "atol", "jac", "jac_sparsity", "lband", "uband", "min_step"}
 _methods = ("RK45", "RK23", "DOP853", "Radau", "BDF", "LSODA", "taylor")
-# The points of a step, in units of its length, between which events are looked for: a step of Taylor series is longer than
+# The points of a step, in units of its length, between which events are searched: a step of Taylor series is longer than
 # those of Runge-Kutta methods, and any length is one step if the solution is a polynomial.
 _places_in_step = np.concatenate([[0], 2.0 ** np.arange(-10, -2), np.arange(2, 8) / 8])
 
@@ -99,7 +99,7 @@ def _root(g: Callable[[float], float], a: float, b: float, at_a: float, at_b: fl
 
 
 class _Event:
-    """A function whose zeros are looked for, with SciPy's attributes terminal and direction."""
+    """A function whose zeros are searched, with SciPy's attributes terminal and direction."""
 
     def __init__(self, function: Callable[..., Any], args: Sequence[Any]) -> None:
         self._function = function
@@ -176,9 +176,9 @@ def solve_ivp(
     full double precision: an error of some 1e-16 of max(1, |y|) per step, amplified by the equations, whatever rtol and
     atol are. method, jac and first_step are accepted and have no effect; max_step limits the distance of the points t.
     Without t_eval these are the ends of the steps, which are longer than those of SciPy. Events are zeros of functions of
-    numbers, called as in SciPy; a pair of zeros within an eighth of a step (nfev is the number of steps) can be missed. Raises TypeError for a function
-    that branches on its arguments or is not analytic, and for complex y0; UndecidedError after a million steps, as for
-    stiff equations over long times.
+    numbers, called as in SciPy; a pair of zeros within an eighth of a step (nfev is the number of steps) can be missed.
+    Raises TypeError for a function that branches on its arguments or is not analytic, and for complex y0; UndecidedError
+    after a million steps, as for stiff equations over long times.
     """
     _check(method, options)
     t0, tf = _span(t_span)

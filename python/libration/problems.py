@@ -164,6 +164,14 @@ class Problem:
         except UndecidedError as problem:
             raise _with_partial(problem, form) from None
 
+    def conditions(self, times: Any, exact: bool = True) -> Table:
+        """time and condition: the largest of (|t y'| + sum of |x dy/dx|)/max(1, |y|) over the unknowns y, x the initial values
+        and parameters, three digits: the error amplification that no algorithm can avoid, as verify() has it."""
+        texts, _ = times_text(times, exact)
+        values = ",".join(["0"] * len(self.names) * len(texts.split(",")))
+        compared = Table._of(self._problem.verify(",".join(self.names), texts, values, "tolerance = 1"))
+        return Table(["time", "condition"], list(zip(compared["time"], compared["condition"])))
+
     def events(self, condition: str, count: int = 1, digits: int = 50) -> Table:
         """The first `count` times after the start at which a condition "x' = 1/2" holds, and the unknowns there, proved,
         without omissions. Raises UndecidedError where there are not as many; its `partial` has the first ones."""
@@ -178,7 +186,7 @@ class Problem:
         """The unknowns at an array of times in double precision, heuristic, from many starts in one call: an array with a
         row (in the order of `names`) for each, or a mapping {"x": array} with the others as in the problem, at the time
         `begin`, by default that of the problem. Starts are shared among threads, all cores by default, without the
-        interpreter's lock. Doubles are data here: none is refused. A solution is nan where its steps become too small, near
+        interpreter's lock. Doubles are data here, and accepted. A solution is nan where its steps become too small, near
         a singularity. Raises ArgumentError for nan and infinities."""
         return trajectory_of(self._problem, times, starts, begin, threads)
 

@@ -14,7 +14,7 @@ Cell = Union[Ball, str]
 
 
 def number_of(cell: Cell) -> float:
-    """A cell, also a text such as a time as it was typed, as a double for a figure; nan where it is no number."""
+    """A cell, also a text such as a time as it was typed, as a double for a figure; nan if it is not a number."""
     if not isinstance(cell, Ball):
         try:
             return number_of(ball(cell, 17)) if cell else math.nan

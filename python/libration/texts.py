@@ -85,7 +85,7 @@ def digits_and_rigour(scalar: str) -> tuple[int, int]:
     return int(found[2]), 2 if found[1] == "ball" else 1
 
 
-#: The words for what stands behind a number, everywhere in the library: proved by ball arithmetic; two-method, on which two
+#: The rigour of a number, in the same words everywhere in the library: proved by ball arithmetic; two-method, on which two
 #: computations agree; heuristic.
 rigours = {"heuristic": 0, "two-method": 1, "proved": 2}
 _earlier_words = {"rounded": "two-method"}

@@ -48,6 +48,12 @@ def test_derivatives_that_are_not_known():
         p.derivatives(1, by="z")
 
 
+def test_conditions_are_those_of_the_derivatives():
+    # y = c e^(-kt): |dy/dc c| + |dy/dk k| + |t y'| = y (1 + 2 k t), relative to 1 where y is smaller.
+    found = lb.problem("y' = -k*y; y(0) = 10; k = 1/2").conditions(["2", "4"])
+    assert [float(str(each)) for each in found["condition"]] == pytest.approx([3, 5], rel=1e-2)
+
+
 def test_events_are_times():
     found = lb.problem(SPRING).events("x = 0", count=2, digits=30)
     assert near(found["time"][1], 3 * mpmath.pi / 2, 30) and found["time"][0].proved
