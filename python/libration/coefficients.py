@@ -36,8 +36,8 @@ def _texts_of_array(values: np.ndarray) -> str:
 
 
 def _texts_of_lines(path: Path) -> str:
-    rows = [re.split(r"[\s,;]+", line.partition("#")[0].strip()) for line in path.read_text(encoding="utf-8").splitlines()]
-    rows = [row for row in rows if row != [""]]
+    lines = [line.partition("#")[0].strip() for line in path.read_text(encoding="utf-8").splitlines()]
+    rows = [re.split(r"[\s,;]+", line) for line in lines if line]
     if rows and not re.match(r"[-+.\d]", rows[0][-1]):
         rows = rows[1:]  # names of columns
     widths = {len(row) for row in rows}

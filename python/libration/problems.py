@@ -149,10 +149,10 @@ class Problem:
     def derivatives(
         self, times: Any, by: str | Sequence[str], digits: int = 50, exact: bool = True
     ) -> Derivatives:
-        """The unknowns at times, and the derivative of each with respect to initial values and parameters, "x(0)", "x'(0)",
-        "r", every digit proved: a Table with the columns dx(t)/dx(0), ..., whose `matrix` is an array. The derivative with
-        respect to a parameter includes the motion of initial values that contain it. Raises UndecidedError as reference(),
-        also for a derivative that is not distinguished from 0."""
+        """The unknowns at times, and the derivative of each with respect to initial values and parameters, "x(0)",
+        "x'(0)", "r", every digit proved: a Table with the columns dx(t)/dx(0), ..., whose `matrix` is an array. The
+        derivative with respect to a parameter includes the motion of initial values that contain it. Raises
+        UndecidedError as reference(), also for a derivative that is not distinguished from 0."""
         numbers = [each.strip() for each in by.split(",")] if isinstance(by, str) else list(by)
 
         def form(parts: Any) -> Derivatives:
@@ -165,8 +165,8 @@ class Problem:
             raise _with_partial(problem, form) from None
 
     def conditions(self, times: Any, exact: bool = True) -> Table:
-        """time and condition: the largest of (|t y'| + sum of |x dy/dx|)/max(1, |y|) over the unknowns y, x the initial values
-        and parameters, three digits: the error amplification that no algorithm can avoid, as verify() has it."""
+        """time and condition: the largest of (|t y'| + sum of |x dy/dx|)/max(1, |y|) over the unknowns y, x the initial
+        values and parameters, three digits: the error amplification that no algorithm can avoid, as in verify()."""
         texts, _ = times_text(times, exact)
         values = ",".join(["0"] * len(self.names) * len(texts.split(",")))
         compared = Table._of(self._problem.verify(",".join(self.names), texts, values, "tolerance = 1"))

@@ -40,7 +40,6 @@ class Traced:
     """An expression in the unknowns and the variable. Immutable."""
 
     __slots__ = ("rank", "text", "varies")
-    __array_priority__ = 1000
 
     def __init__(self, text: str, rank: int = _NAME, varies: bool = True) -> None:
         self.text = text
@@ -120,6 +119,8 @@ class Traced:
         return self
 
     def __pow__(self, other: Any) -> Any:
+        if isinstance(other, np.ndarray) and other.ndim > 0:
+            return NotImplemented
         exponent = Traced.of(other)
         if exponent.varies:
             return (exponent * self.log()).exp()

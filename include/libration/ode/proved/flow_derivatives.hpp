@@ -13,7 +13,8 @@
 
 namespace libration::ode {
 
-/// Derivatives of the state of a system with free parameters at a time: rows are its unknowns with their lower derivatives, in order.
+/// Derivatives of the state of a system with free parameters at a time: rows are its unknowns with their lower
+/// derivatives, in order.
 struct state_derivatives {
     std::vector<ball> starts;  ///< the given initial values of the state
     std::vector<ball> values;  ///< the given values of the open numbers
