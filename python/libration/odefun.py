@@ -7,6 +7,7 @@ from typing import Any
 
 from .ball import Ball
 from .problems import Problem
+from .symbols import constant_text
 from .tracing import text_of_system, unknown_names
 
 
@@ -28,9 +29,7 @@ class OdeFunction:
 
     def balls(self, t: Any, digits: int) -> list[Ball]:
         """The unknowns at a time with so many proved digits. Raises UndecidedError as Problem.reference."""
-        from .tracing import Traced
-
-        time = Traced.of(t).text
+        time = constant_text(t)
         if (time, digits) not in self._known:
             row = self.problem.reference(time, digits)
             self._known[time, digits] = [row[name] for name in unknown_names(self._size)]  # type: ignore[misc]

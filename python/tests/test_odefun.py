@@ -85,5 +85,7 @@ def test_functions_that_are_no_equations():
         lb.odefun(lambda t, y: y if y > 0 else -y, 0, 1)
     with pytest.raises(TypeError, match="complex"):
         lb.odefun(lambda t, y: 1j * y, 0, 1)
+    with pytest.raises(TypeError, match="the text 'y'"):
+        lb.odefun(lambda t, y: "y", 0, 1)
     with pytest.raises(ValueError, match="has 1 values"):
         lb.odefun(lambda t, y: [y[0]], 0, [1, 2])
