@@ -205,9 +205,10 @@ void libration_problem_free(libration_problem *problem);
 
 /* Solutions in double precision by Taylor series, an error of some units in the last place of max(1, largest |value|) per
  * step, amplified by the equations; nothing is proved. `starts` has the state at time `begin`, in the order of the names,
- * of `solutions` solutions, row by row; NULL, with 1 solution, is the initial point of the problem itself. `values` gets solutions x times x names numbers; nan at times that are not reached
- * since the steps become too small, near a singularity. ARGUMENT for nan and infinities. The callback is called after each
- * solution. */
+ * of `solutions` solutions, row by row; NULL, with 1 solution, is the initial point of the problem itself. `values` gets
+ * solutions x times x names numbers; nan at times that are not reached since the steps become too small, near a
+ * singularity. ARGUMENT for nan and infinities, and for starts at a singular initial point. The callback is called after
+ * each solution. */
 int libration_problem_flow(const libration_problem *problem, double begin, size_t solutions, const double *starts,
                            size_t count, const double *times, libration_watch watch, void *context, double *values);
 /* The initial time of a problem and the state there, the doubles next to them. */

@@ -187,7 +187,7 @@ class Problem:
         row (in the order of `names`) for each, or a mapping {"x": array} with the others as in the problem, at the time
         `begin`, by default that of the problem. Starts are shared among threads, all cores by default, without the
         interpreter's lock. Doubles are data here, and accepted. A solution is nan where its steps become too small, near
-        a singularity. Raises ArgumentError for nan and infinities."""
+        a singularity. Raises ArgumentError for nan and infinities, and for starts at a singular initial point."""
         return trajectory_of(self._problem, times, starts, begin, threads)
 
     def coefficients(

@@ -97,6 +97,8 @@ def test_trajectories_that_end():
     for starts in ({"z": [1.0]}, [1.0]):
         with pytest.raises(ValueError):
             lb.problem("y' = y^2; y(0) = 1").trajectory([1.0], starts=starts)
+    with pytest.raises(lb.ArgumentError, match="singular initial point"):
+        lb.problem("lane_emden", n=1).trajectory([1.0], starts={"y": [1.0, 2.0]})
     with pytest.raises(lb.ArgumentError, match="finite"):
         lb.problem("y' = y^2; y(0) = 1").trajectory([np.nan])
 

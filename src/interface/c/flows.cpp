@@ -94,6 +94,15 @@ void write_solution(march& of, double begin, const double* times, const std::vec
 
 double origin_of(const ode::explicit_system& system) { return ode::constant_value<double>::of(system.point()); }
 
+// The only solution from a singular initial point is that of the problem itself.
+void require_regular(const ode::explicit_system& system, double begin) {
+    require_finite(begin, "begin");
+    if (system.singular() && begin == origin_of(system)) {
+        throw error(error_kind::argument, "begin", to_decimal(begin, 6),
+                    "is a singular initial point: begin at another time, with the state there");
+    }
+}
+
 // Appends the polynomials of the current step.
 void add_polynomials(const march& of, const ode::explicit_system& system, std::vector<double>& to) {
     for (std::size_t i = 0; i < system.unknowns().size(); ++i) {
@@ -161,7 +170,7 @@ int libration_problem_flow(const libration_problem* problem, double begin, size_
             write_solution(of, origin, times, in_order_of_steps(origin, times, count), size, values);
             return;
         }
-        require_finite(begin, "begin");
+        require_regular(problem->system, begin);
         require_finite(starts, solutions * size, "starts");
         const auto order = in_order_of_steps(begin, times, count);
         const watcher watched(watch, context);
@@ -188,9 +197,9 @@ int libration_problem_start(const libration_problem* problem, double* time, doub
 int libration_steps_new(const libration_problem* problem, double begin, const double* start, double end,
                         libration_steps** steps) {
     return made(steps, [&] {
-        require_finite(begin, "begin");
+        require_regular(given(problem, "problem").system, begin);
         require_finite(end, "end");
-        require_finite(start, given(problem, "problem").names.size(), "start");
+        require_finite(start, problem->names.size(), "start");
         return steps_of(*problem, begin, start, end);
     });
 }
