@@ -20,7 +20,7 @@ from .ivp import OdeResult, OdeSolution, solve_ivp
 from .motions import Motion, Samples, motion
 from .odefun import OdeFunction, odefun
 from .problems import Derivatives, Problem, Radius, Singularities, catalogue, problem, radius
-from .studies import Study, study
+from .studies import Study, study, table
 from .tables import Row, Table
 from .texts import exact
 from .trajectories import Trajectory
@@ -58,5 +58,6 @@ __all__ = [
     "radius",
     "solve_ivp",
     "study",
+    "table",
     "verify",
 ]

@@ -12,7 +12,7 @@ import numpy as np
 from . import _libration
 from .ball import Ball
 from .coefficients import texts_of_coefficients
-from .drawing import axes_of
+from .drawing import axes_of, table_of
 from .errors import UndecidedError
 from .tables import Cell, Row, Table, number_of
 from .texts import digits_and_rigour, rigour_of, text_of, times_text
@@ -244,8 +244,15 @@ class Problem:
         return _values(Table._of(self._problem.orbit(digits)))
 
 
-def _values(table: Table) -> dict[str, Ball]:
-    found: dict[str, Ball] = {}
+class Values(dict[str, Ball]):
+    """Balls by name, which a notebook shows as a table."""
+
+    def _repr_html_(self) -> str:
+        return table_of(["name", "value"], list(self.items()))
+
+
+def _values(table: Table) -> Values:
+    found = Values()
     for row in table:
         value = row["value"]
         assert isinstance(value, Ball)

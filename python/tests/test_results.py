@@ -161,8 +161,18 @@ def test_figures_and_tables():
     for result in (table, table[0], p.trajectory([0.0, 1.0]), tangent.radius(order=60), tangent.singularities(within=2)):
         shown = result._repr_html_()
         assert shown.startswith("<table>") and shown.count("<tr>") > 1
+    assert "<td>omega</td>" in lb.problem("x' = 1; x(0) = omega; omega = 1").find("omega", "x(1) = 3")._repr_html_()
     assert "&lt;b&gt;" in lb.Table(["<b>"], [["1"]])._repr_html_()
     assert lb.solve_ivp(lambda t, y: y, [0, 1], [1])._repr_html_().count("<tr>") > 1
+
+
+def test_tables_of_the_command():
+    found = lb.table("sn,cd", u="1.5", m="0.3", digits=20)
+    assert found["function"] == ["sn", "cd"] and found["rigour"] == ["proved", "proved"]
+    assert found["value"][0] == mpmath.nstr(mpmath.ellipfun("sn", 1.5, mpmath.mpf("0.3")), 20)
+    assert len(lb.table(problem="x' = -x; x(0) = 1", times="1,2", digits=10).plot(y="x").lines) == 1
+    with pytest.raises(lb.ArgumentError, match="--problem"):
+        lb.table(problem="no_such_problem", times="1")
 
 
 def test_words_of_rigour():
