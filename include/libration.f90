@@ -271,6 +271,17 @@ module libration
             type(c_ptr), value :: context
             type(c_ptr), intent(out) :: states
         end function
+        function libration_problem_derivatives(problem, times, numbers, digits, watch, context, derivatives) bind(c)
+            import :: c_ptr, c_char, c_long, c_int, c_funptr
+            integer(c_int) :: libration_problem_derivatives
+            type(c_ptr), value :: problem
+            character(kind=c_char), intent(in) :: times(*)
+            character(kind=c_char), intent(in) :: numbers(*)
+            integer(c_long), value :: digits
+            type(c_funptr), value :: watch
+            type(c_ptr), value :: context
+            type(c_ptr), intent(out) :: derivatives
+        end function
         function libration_problem_coefficients(problem, point, corners, first, &
             last, digits, rigour, coefficients) bind(c)
             import :: c_ptr, c_char, c_long, c_int
@@ -436,6 +447,68 @@ module libration
         subroutine libration_sampler_free(sampler) bind(c)
             import :: c_ptr
             type(c_ptr), value :: sampler
+        end subroutine
+        function libration_problem_events(problem, condition, count, digits, events) bind(c)
+            import :: c_ptr, c_char, c_long, c_int
+            integer(c_int) :: libration_problem_events
+            type(c_ptr), value :: problem
+            character(kind=c_char), intent(in) :: condition(*)
+            integer(c_long), value :: count
+            integer(c_long), value :: digits
+            type(c_ptr), intent(out) :: events
+        end function
+        function libration_problem_flow(problem, begin, solutions, starts, count, times, watch, context, values) bind(c)
+            import :: c_ptr, c_size_t, c_double, c_int, c_funptr
+            integer(c_int) :: libration_problem_flow
+            type(c_ptr), value :: problem
+            real(c_double), value :: begin
+            integer(c_size_t), value :: solutions
+            real(c_double), intent(in) :: starts(*)
+            integer(c_size_t), value :: count
+            real(c_double), intent(in) :: times(*)
+            type(c_funptr), value :: watch
+            type(c_ptr), value :: context
+            real(c_double), intent(out) :: values(*)
+        end function
+        function libration_problem_start(problem, time, values) bind(c)
+            import :: c_ptr, c_double, c_int
+            integer(c_int) :: libration_problem_start
+            type(c_ptr), value :: problem
+            real(c_double), intent(out) :: time
+            real(c_double), intent(out) :: values(*)
+        end function
+        function libration_steps_new(problem, begin, start, end, steps) bind(c)
+            import :: c_ptr, c_double, c_int
+            integer(c_int) :: libration_steps_new
+            type(c_ptr), value :: problem
+            real(c_double), value :: begin
+            real(c_double), intent(in) :: start(*)
+            real(c_double), value :: end
+            type(c_ptr), intent(out) :: steps
+        end function
+        function libration_steps_count(steps) bind(c)
+            import :: c_ptr, c_size_t
+            integer(c_size_t) :: libration_steps_count
+            type(c_ptr), value :: steps
+        end function
+        function libration_steps_order(steps) bind(c)
+            import :: c_ptr, c_size_t
+            integer(c_size_t) :: libration_steps_order
+            type(c_ptr), value :: steps
+        end function
+        function libration_steps_times(steps) bind(c)
+            import :: c_ptr
+            type(c_ptr) :: libration_steps_times
+            type(c_ptr), value :: steps
+        end function
+        function libration_steps_coefficients(steps) bind(c)
+            import :: c_ptr
+            type(c_ptr) :: libration_steps_coefficients
+            type(c_ptr), value :: steps
+        end function
+        subroutine libration_steps_free(steps) bind(c)
+            import :: c_ptr
+            type(c_ptr), value :: steps
         end subroutine
     end interface
 

@@ -51,6 +51,7 @@ typedef struct libration_table libration_table;
 typedef struct libration_motion libration_motion;
 typedef struct libration_problem libration_problem;
 typedef struct libration_sampler libration_sampler;
+typedef struct libration_steps libration_steps;
 
 /* Progress callback: called now and then with the part that is done, 0 .. 1, in the calling thread; a nonzero result
  * cancels the call. May be NULL. */
@@ -157,6 +158,11 @@ int libration_problem_states(const libration_problem *problem, const char *times
  * message is the first reason for a missing value. NULL on every other error. */
 int libration_problem_known_states(const libration_problem *problem, const char *times, long digits, int rigour,
                                    libration_watch watch, void *context, libration_table **states);
+/* The same, proved, with the derivatives of every value with respect to `numbers`, initial values and parameters of the
+ * problem, "x(0), x'(0), r": time, one column for each name, then dx(t)/dx(0), dx(t)/dx'(0), dx(t)/dr for the first name,
+ * and so on. The derivative with respect to a parameter includes the motion of initial values that contain it. */
+int libration_problem_derivatives(const libration_problem *problem, const char *times, const char *numbers, long digits,
+                                  libration_watch watch, void *context, libration_table **derivatives);
 /* Coefficients first .. last of every unknown about a point, NULL for the initial point, else a time, also complex,
  * 1+2i, through corners in the complex plane, "1+i,2+i", or NULL: n and one column each; about a complex point x_re and
  * x_im, only ROUNDED; for powers of t^(1/q) followed by a column power. */
@@ -182,6 +188,11 @@ int libration_problem_singularities(const libration_problem *problem, const char
 /* The unknowns and their lower derivatives at infinite time, proved by a lemma: one row. UNDECIDED for a problem without
  * one. */
 int libration_problem_limits(const libration_problem *problem, long digits, libration_table **limits);
+/* The first `count` times after the initial point at which a condition on the unknowns holds, "x' = 1/2": time and one
+ * column for each name, proved, without omissions. UNDECIDED also gives a table, of the first ones, if there are not as
+ * many within 5000 steps each or before the solution ends. */
+int libration_problem_events(const libration_problem *problem, const char *condition, long count, long digits,
+                             libration_table **events);
 /* The parameters or initial values `unknowns`, "k, f''(0)", for which as many conditions hold, "f'(5) = 1; f(5) = 2",
  * near the values that the problem has, proved: name, value. A condition at infinity, "f'(inf) = 1", is decided by a
  * lemma about a problem of the catalogue; UNDECIDED without one. */
@@ -191,6 +202,29 @@ int libration_problem_find(const libration_problem *problem, const char *unknown
  * lower derivatives on a section, and of the period. */
 int libration_problem_orbit(const libration_problem *problem, long digits, libration_table **orbit);
 void libration_problem_free(libration_problem *problem);
+
+/* Solutions in double precision by Taylor series, an error of some units in the last place of max(1, largest |value|) per
+ * step, amplified by the equations; nothing is proved. `starts` has the state at time `begin`, in the order of the names,
+ * of `solutions` solutions, row by row; NULL, with 1 solution, is the initial point of the problem itself. `values` gets
+ * solutions x times x names numbers; nan at times that are not reached since the steps become too small, near a
+ * singularity. ARGUMENT for nan and infinities, and for starts at a singular initial point. The callback is called after
+ * each solution. */
+int libration_problem_flow(const libration_problem *problem, double begin, size_t solutions, const double *starts,
+                           size_t count, const double *times, libration_watch watch, void *context, double *values);
+/* The initial time of a problem and the state there, the doubles next to them. */
+int libration_problem_start(const libration_problem *problem, double *time, double *values);
+/* The steps of one such solution from `begin` to `end`, which may be earlier: dense output. */
+int libration_steps_new(const libration_problem *problem, double begin, const double *start, double end,
+                        libration_steps **steps);
+size_t libration_steps_count(const libration_steps *steps);
+/* The degree N of the polynomials. */
+size_t libration_steps_order(const libration_steps *steps);
+/* The points between the steps, count + 1; the last one is `end` unless the steps become too small before. */
+const double *libration_steps_times(const libration_steps *steps);
+/* The coefficients of every step, count x names x (N + 1): those of powers 0 .. N of t minus the point at which the step
+ * begins. */
+const double *libration_steps_coefficients(const libration_steps *steps);
+void libration_steps_free(libration_steps *steps);
 
 /* The catalogue of problems: names and texts, numbered from 0; empty if out of range. */
 size_t libration_catalogue_size(void);

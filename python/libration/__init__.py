@@ -4,20 +4,26 @@
     swing = lb.motion(theta0="150deg", omega0=0)
     swing.theta("1e12", digits=50)
     lb.problem("x' = 1 + x^2; x(0) = 0").reference(1, digits=40)
+    lb.odefun(lambda t, y: y, 0, 1)(1)              # as mpmath's, proved
+    lb.solve_ivp(lambda t, y: -y, [0, 5], [1])      # as SciPy's, in double
 
 Numbers are exact as they are written: texts, int, Fraction, Decimal, numbers of mpmath and SymPy. A float is refused
-where it would stand for a number that a person meant. Results are Balls: digits, a bound of what they miss, and what
-stands behind that. Errors are LibrationError: ArgumentError (a ValueError), UndecidedError, RangeError, Fault.
+where it would stand for a number that a person meant, and is data in radius(), trajectory(), odefun() and solve_ivp().
+Results are Balls: digits, a bound of their error, and their rigour: 'proved', 'two-method' or 'heuristic'. Errors are
+LibrationError: ArgumentError (a ValueError), UndecidedError, RangeError, Fault.
 """
 
 from . import _libration
 from .ball import Ball, ball
 from .errors import ArgumentError, Fault, LibrationError, RangeError, UndecidedError
+from .ivp import OdeResult, OdeSolution, solve_ivp
 from .motions import Motion, Samples, motion
-from .problems import Problem, Radius, Singularities, catalogue, problem, radius
-from .studies import Study, study
+from .odefun import OdeFunction, odefun
+from .problems import Derivatives, Problem, Radius, Singularities, catalogue, problem, radius
+from .studies import Study, study, table
 from .tables import Row, Table
 from .texts import exact
+from .trajectories import Trajectory
 from .verification import Verdicts, verify
 
 __version__: str = _libration.version()
@@ -25,9 +31,13 @@ __version__: str = _libration.version()
 __all__ = [
     "ArgumentError",
     "Ball",
+    "Derivatives",
     "Fault",
     "LibrationError",
     "Motion",
+    "OdeFunction",
+    "OdeResult",
+    "OdeSolution",
     "Problem",
     "Radius",
     "RangeError",
@@ -36,14 +46,18 @@ __all__ = [
     "Singularities",
     "Study",
     "Table",
+    "Trajectory",
     "UndecidedError",
     "Verdicts",
     "ball",
     "catalogue",
     "exact",
     "motion",
+    "odefun",
     "problem",
     "radius",
+    "solve_ivp",
     "study",
+    "table",
     "verify",
 ]

@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Any
 
 from . import _libration
-from .texts import rigours, text_of
+from .texts import rigours, text_of, usual_word
 
 _names = {number: name for name, number in rigours.items()}
 
@@ -15,8 +15,8 @@ _names = {number: name for name, number in rigours.items()}
 class Ball:
     """A decimal and a bound of its distance to the exact number.
 
-    str() prints the digits, each right to one unit in the last. `rigour` is 'proved' (ball arithmetic), 'rounded' (runs
-    in MPFR that agree, or a bound of the error known before) or 'heuristic'. Immutable; equal to a ball with the same
+    str() prints the digits, each right to one unit in the last. `rigour` is 'proved' (ball arithmetic), 'two-method'
+    (runs in MPFR that agree, or a bound of the error known before) or 'heuristic'. Immutable; equal to a ball with the same
     digits, bound and rigour.
     """
 
@@ -25,8 +25,9 @@ class Ball:
 
     def __init__(self, decimal: str, uncertainty: str = "0", rigour: str = "proved") -> None:
         """A number as it was written down; bound and rigour are believed. Raises ArgumentError for what is none."""
+        rigour = usual_word(rigour)
         if rigour not in rigours:
-            raise ValueError(f"rigour is {rigour!r}: write 'proved', 'rounded' or 'heuristic'")
+            raise ValueError(f"rigour is {rigour!r}: write 'proved', 'two-method' or 'heuristic'")
         _libration.Number(decimal, uncertainty, rigours[rigour])
         object.__setattr__(self, "_parts", (decimal, uncertainty, rigours[rigour]))
 

@@ -4,14 +4,19 @@ from __future__ import annotations
 
 import re
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
+
+import numpy as np
 
 from . import _libration
 from .ball import Ball
+from .coefficients import texts_of_coefficients
+from .drawing import axes_of, table_of
 from .errors import UndecidedError
-from .tables import Cell, Row, Table
+from .tables import Cell, Row, Table, number_of
 from .texts import digits_and_rigour, rigour_of, text_of, times_text
+from .trajectories import Trajectory, trajectory_of
 
 
 class Radius(NamedTuple):
@@ -28,6 +33,20 @@ class Radius(NamedTuple):
     def __repr__(self) -> str:
         return str(self)
 
+    def plot(self, ax: Any = None) -> Any:
+        """Draws the radius of each test with its uncertainty, and returns the axes of matplotlib."""
+        axes = axes_of(ax)
+        found = [row for row in self.tests if isinstance(row["radius"], Ball)]
+        values = [number_of(row["radius"]) for row in found]
+        reaches = [float(row["radius"].uncertainty or 0) for row in found]  # type: ignore[union-attr]
+        axes.errorbar(values, range(len(found)), xerr=reaches, fmt="o")
+        axes.set_yticks(range(len(found)), [str(row["method"]) for row in found])
+        axes.set_xlabel("radius of convergence")
+        return axes
+
+    def _repr_html_(self) -> str:
+        return self.tests._repr_html_()
+
 
 class Singularities(Table):
     """position_re, position_im, modulus, kind, exponent_re, exponent_im, unknown, by modulus."""
@@ -39,6 +58,46 @@ class Singularities(Table):
 
     def __repr__(self) -> str:
         return str(self) + ("" if self.complete else "\nand perhaps more: part of the disc stays unexplained")
+
+    def plot(self, x: str | None = None, y: str | None = None, ax: Any = None) -> Any:
+        """Draws the positions in the complex plane, and returns the axes of matplotlib."""
+        x, y = x or "position_re", y or "position_im"
+        axes = axes_of(ax)
+        axes.plot([number_of(cell) for cell in self[x]], [number_of(cell) for cell in self[y]], "x")
+        axes.set_xlabel(x)
+        axes.set_ylabel(y)
+        return axes
+
+
+class Derivatives(Table):
+    """The values at times, and their derivatives dx(t)/dx(0), ... in further columns."""
+
+    def __init__(
+        self, names: Sequence[str], cells: Sequence[Sequence[Cell]], quantities: Sequence[str], by: Sequence[str]
+    ) -> None:
+        super().__init__(names, cells)
+        self.quantities = list(quantities)
+        self.by = list(by)
+
+    @property
+    def matrix(self) -> np.ndarray:
+        """The derivatives as an array [time][quantity][number] of Balls ('' where there is none)."""
+        first = 1 + len(self.quantities)
+        flat = np.empty((len(self.cells), len(self.names) - first), dtype=object)
+        for i, row in enumerate(self.cells):
+            flat[i, :] = row[first:]
+        return flat.reshape(len(self.cells), len(self.quantities), len(self.by))
+
+    def floats(self) -> np.ndarray:
+        """The same as doubles, nan where there is no derivative."""
+        return np.vectorize(number_of, otypes=[float])(self.matrix)
+
+
+def _with_partial(problem: UndecidedError, form: Callable[[Any], Any]) -> UndecidedError:
+    """The error with what is known nevertheless in the form of the result."""
+    if problem.partial is not None:
+        problem.partial = form(problem.partial)
+    return problem
 
 
 class Problem:
@@ -70,20 +129,66 @@ class Problem:
         """The unknowns and their lower derivatives, x, x'."""
         return self._problem.names()
 
-    def reference(self, times: Any, digits: int = 50, rigour: str = "proved") -> Row | Table:
-        """The unknowns and their lower derivatives at one time, or at a list of times as a Table. Raises UndecidedError
+    def reference(self, times: Any, digits: int = 50, rigour: str = "proved", exact: bool = True) -> Row | Table:
+        """The unknowns and their lower derivatives at one time, or at a list of times as a Table; with exact=False floats
+        are the doubles that they are. Raises UndecidedError
         for a time that is not reached, which says up to where the solution is proved to exist, and for a value that is
         not distinguished from 0; its `partial` has what is proved of the others. ArgumentError for proofs from a
         singular start whose right sides are no polynomials. Ctrl-C ends a proof."""
-        texts, alone = times_text(times)
+        texts, alone = times_text(times, exact)
+
+        def form(parts: Any) -> Row | Table:
+            states = Table._of(parts)
+            return states[0] if alone else states
+
         try:
-            states = Table._of(self._problem.states(texts, digits, rigour_of(rigour)))
+            return form(self._problem.states(texts, digits, rigour_of(rigour)))
         except UndecidedError as problem:
-            if problem.partial is not None:
-                known = Table._of(problem.partial)  # type: ignore[arg-type]  # of names and cells, as it was raised
-                problem.partial = known[0] if alone else known
-            raise
-        return states[0] if alone else states
+            raise _with_partial(problem, form) from None
+
+    def derivatives(
+        self, times: Any, by: str | Sequence[str], digits: int = 50, exact: bool = True
+    ) -> Derivatives:
+        """The unknowns at times, and the derivative of each with respect to initial values and parameters, "x(0)",
+        "x'(0)", "r", every digit proved: a Table with the columns dx(t)/dx(0), ..., whose `matrix` is an array. The
+        derivative with respect to a parameter includes the motion of initial values that contain it. Raises
+        UndecidedError as reference(), also for a derivative that is not distinguished from 0."""
+        numbers = [each.strip() for each in by.split(",")] if isinstance(by, str) else list(by)
+
+        def form(parts: Any) -> Derivatives:
+            table = Table._of(parts)
+            return Derivatives(table.names, table.cells, self.names, numbers)
+
+        try:
+            return form(self._problem.derivatives(times_text(times, exact)[0], ",".join(numbers), digits))
+        except UndecidedError as problem:
+            raise _with_partial(problem, form) from None
+
+    def conditions(self, times: Any, exact: bool = True) -> Table:
+        """time and condition: the largest of (|t y'| + sum of |x dy/dx|)/max(1, |y|) over the unknowns y, x the initial
+        values and parameters, three digits: the error amplification that no algorithm can avoid, as in verify()."""
+        texts, _ = times_text(times, exact)
+        values = ",".join(["0"] * len(self.names) * len(texts.split(",")))
+        compared = Table._of(self._problem.verify(",".join(self.names), texts, values, "tolerance = 1"))
+        return Table(["time", "condition"], list(zip(compared["time"], compared["condition"])))
+
+    def events(self, condition: str, count: int = 1, digits: int = 50) -> Table:
+        """The first `count` times after the start at which a condition "x' = 1/2" holds, and the unknowns there, proved,
+        without omissions. Raises UndecidedError where there are not as many; its `partial` has the first ones."""
+        try:
+            return Table._of(self._problem.events(condition, count, digits))
+        except UndecidedError as problem:
+            raise _with_partial(problem, Table._of) from None
+
+    def trajectory(
+        self, times: Any, starts: Any = None, begin: Any = None, threads: int | None = None
+    ) -> Trajectory:
+        """The unknowns at an array of times in double precision, heuristic, from many starts in one call: an array with a
+        row (in the order of `names`) for each, or a mapping {"x": array} with the others as in the problem, at the time
+        `begin`, by default that of the problem. Starts are shared among threads, all cores by default, without the
+        interpreter's lock. Doubles are data here, and accepted. A solution is nan where its steps become too small, near
+        a singularity. Raises ArgumentError for nan and infinities, and for starts at a singular initial point."""
+        return trajectory_of(self._problem, times, starts, begin, threads)
 
     def coefficients(
         self, order: int, scalar: str = "ball:50", at: Any = None, via: Any = None, first: int = 0
@@ -139,8 +244,15 @@ class Problem:
         return _values(Table._of(self._problem.orbit(digits)))
 
 
-def _values(table: Table) -> dict[str, Ball]:
-    found: dict[str, Ball] = {}
+class Values(dict[str, Ball]):
+    """Balls by name, which a notebook shows as a table."""
+
+    def _repr_html_(self) -> str:
+        return table_of(["name", "value"], list(self.items()))
+
+
+def _values(table: Table) -> Values:
+    found = Values()
     for row in table:
         value = row["value"]
         assert isinstance(value, Ball)
@@ -167,11 +279,14 @@ def _without_comments(text: str) -> str:
     return re.sub(r"#[^\n]*", "", text)
 
 
-def problem(text: Any, starts: Mapping[str, Any] | None = None, *, at: Any = 0, **values: Any) -> Problem:
+def problem(
+    text: Any, starts: Mapping[str, Any] | None = None, *, at: Any = 0, exact: bool = True, **values: Any
+) -> Problem:
     """A text of equations ("x' = 10*(y-x); ..."), a name of the catalogue ("lorenz"), or equations of SymPy.
 
     Keywords give or change starts, x=1 for x(0) = 1, and parameters, r=28; `starts` takes derivatives: {"x'": 0}. `at`
-    is the time of starts that the text does not have. Numbers as for motion(). Raises ArgumentError with line and
+    is the time of starts that the text does not have. Numbers as for motion(); with exact=False floats are the doubles
+    that they are. Raises ArgumentError with line and
     column for what cannot be read, and for a keyword that the text has no use for; warns of a parameter that the text
     defines and uses nowhere.
     """
@@ -191,7 +306,7 @@ def problem(text: Any, starts: Mapping[str, Any] | None = None, *, at: Any = 0, 
         warnings.warn(f"the parameter {name} is defined and used nowhere: leave it out", stacklevel=2)
     settings: list[str] = []
     added: list[str] = []
-    numbers = {name: text_of(value, name) for name, value in {**values, **(starts or {})}.items()}
+    numbers = {name: text_of(value, name, exact) for name, value in {**values, **(starts or {})}.items()}
     names += [name for number in numbers.values() for name in _name.findall(number)]
     for name, number in numbers.items():
         if name in given:
@@ -199,7 +314,7 @@ def problem(text: Any, starts: Mapping[str, Any] | None = None, *, at: Any = 0, 
         elif name in parameters:
             settings.append(f"{name} = {number}")
         elif name.rstrip("'") in unknowns:
-            added.append(f"{name}({text_of(at, 'at')}) = {number}")
+            added.append(f"{name}({text_of(at, 'at', exact)}) = {number}")
         elif name in names:
             added.append(f"{name} = {number}")
         else:
@@ -214,6 +329,8 @@ def catalogue() -> dict[str, str]:
 
 def radius(coefficients: Any, digits: int = 30) -> Radius:
     """The radius of convergence of a series a_0, a_1, ... from its coefficients alone; decimals say by their last digit
-    how well they are known. Heuristic."""
-    texts, _ = times_text(coefficients)
-    return radius_of(Table._of(_libration.list_radius(texts, digits)))
+    how well they are known. Heuristic.
+
+    coefficients is a list of exact numbers, or data: an array of NumPy, whose floats are known to half a unit in the last
+    place, or the path of a file, .npy or text with a coefficient, or n and a coefficient, in each line."""
+    return radius_of(Table._of(_libration.list_radius(texts_of_coefficients(coefficients), digits)))

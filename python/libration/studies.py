@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from .errors import ArgumentError, LibrationError
+from .tables import Table
 from .texts import text_of
 
 
@@ -121,6 +122,24 @@ class Study:
         return axes
 
 
+def _output_of(*words: str) -> str:
+    """What the program prints. Raises ArgumentError with its message for wrong options, LibrationError for other failures."""
+    done = subprocess.run([program(), *words], capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        kind = ArgumentError if done.returncode == 2 else LibrationError
+        raise kind(done.stderr.strip() or f"{' '.join(words[:2])} failed")
+    return done.stdout
+
+
+def table(what: str | None = None, **options: Any) -> Table:
+    """A table of `libration table`, proved: table("sn,cd", u="1.5", m="0.3", digits=30); table("pendulum",
+    gaps="1e-3,-1e-30", times="1,T/8"); table(problem="lorenz", times="1,2"). Keywords are its options, as for study();
+    cells are texts, the digits as they are printed. Raises ArgumentError for wrong options."""
+    printed = _output_of("table", *([what] if what else []), *_options(options), "--format", "csv")
+    names, *rows = csv.reader(printed.splitlines())
+    return Table(names, rows)
+
+
 def study(name: str, out: str | os.PathLike[str] | None = None, **parameters: Any) -> Study:
     """Runs a study of the program: study("error_norm", energies="0.5:8:16", orders=[5, 10, 20]).
 
@@ -130,11 +149,6 @@ def study(name: str, out: str | os.PathLike[str] | None = None, **parameters: An
     """
     temporary = tempfile.TemporaryDirectory(prefix="libration-") if out is None else None
     folder = Path(temporary.name if temporary else os.fspath(out))  # type: ignore[arg-type]
-    done = subprocess.run(
-        [program(), "study", name, *_options(parameters), "--out", str(folder)], capture_output=True, text=True, check=False
-    )
-    if done.returncode != 0:
-        kind = ArgumentError if done.returncode == 2 else LibrationError
-        raise kind(done.stderr.strip() or f"the study {name} failed")
+    _output_of("study", name, *_options(parameters), "--out", str(folder))
     typed = sorted((each for each in folder.glob(f"{name}*") if each.is_dir()), key=lambda each: each.stat().st_mtime)
     return Study(name, typed[-1], temporary)

@@ -2,12 +2,25 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Union
 
-from .ball import Ball
+from .ball import Ball, ball
+from .drawing import lines_of, table_of
+from .errors import LibrationError
 
 Cell = Union[Ball, str]
+
+
+def number_of(cell: Cell) -> float:
+    """A cell, also a text such as a time as it was typed, as a double for a figure; nan if it is not a number."""
+    if not isinstance(cell, Ball):
+        try:
+            return number_of(ball(cell, 17)) if cell else math.nan
+        except LibrationError:
+            return math.nan
+    return float(cell.fraction()) if "/" in cell.digits else float(cell.digits)
 
 
 class Row(Mapping[str, Cell]):
@@ -31,6 +44,9 @@ class Row(Mapping[str, Cell]):
 
     def __repr__(self) -> str:
         return str(self)
+
+    def _repr_html_(self) -> str:
+        return table_of(["name", "value"], list(self._cells.items()))
 
 
 class Table(Sequence[Row]):
@@ -68,6 +84,18 @@ class Table(Sequence[Row]):
         import pandas
 
         return pandas.DataFrame(self.cells, columns=self.names, dtype=object)
+
+    def plot(self, x: str | None = None, y: str | None = None, ax: Any = None) -> Any:
+        """Draws y, by default every column of numbers, against x, by default the first of them, and returns the axes of
+        matplotlib."""
+        numeric = [name for name in self.names if not all(math.isnan(number_of(cell)) for cell in self.column(name))]
+        x = x or (numeric[0] if numeric else self.names[0])
+        names = [y] if y else [name for name in numeric if name != x]
+        curves = {name: [number_of(cell) for cell in self.column(name)] for name in names}
+        return lines_of([number_of(cell) for cell in self.column(x)], curves, x, ax)
+
+    def _repr_html_(self) -> str:
+        return table_of(self.names, self.cells)
 
     def __str__(self) -> str:
         texts = [self.names] + [[str(cell) for cell in row] for row in self.cells]

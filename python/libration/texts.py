@@ -22,10 +22,16 @@ def exact(x: float) -> str:
     return f"{above}*2^({1 - below.bit_length()})"
 
 
-def text_of(x: Any, name: str = "number") -> str:
+def _text_of_double(x: float) -> str:
+    """A double exactly: as an integer where it is one, else as the function exact() writes it."""
+    return str(int(x)) if x.is_integer() else exact(x)
+
+
+def text_of(x: Any, name: str = "number", exact: bool = True) -> str:
     """The exact text of a number: a str as it is, int, Fraction, Decimal, a Ball of radius 0, numbers of mpmath and SymPy.
 
-    Raises TypeError for a float: write '0.1', or exact(0.1) for the double next to it.
+    Raises TypeError for a float: write '0.1', or exact(0.1) for the double next to it. With exact=False a float is that
+    double.
     """
     from .ball import Ball
 
@@ -46,6 +52,8 @@ def text_of(x: Any, name: str = "number") -> str:
             raise TypeError(f"{name} is a Ball, not one number: give its digits, str(ball), or its exact text")
         return str(x)
     if isinstance(x, (float, np.floating)):
+        if not exact:
+            return _text_of_double(float(x))
         raise TypeError(f"{name} is the float {x!r}: write '{x!r}' for the decimal, libration.exact({x!r}) for the double")
     if hasattr(x, "_mpf_"):
         sign, mantissa, exponent, _ = x._mpf_
@@ -57,15 +65,16 @@ def text_of(x: Any, name: str = "number") -> str:
     raise TypeError(f"{name} is a {type(x).__name__}, which is no exact number")
 
 
-def times_text(times: Any) -> tuple[str, bool]:
-    """One time or several as a list, and whether there was one alone. Ranges are not taken: lists say what is meant."""
+def times_text(times: Any, exact: bool = True) -> tuple[str, bool]:
+    """One time or several as a list, and whether there was one alone. Ranges are not taken: lists say what is meant. Floats
+    are refused unless exact is False."""
     if isinstance(times, str):
         return times, "," not in times
     if isinstance(times, (list, tuple, np.ndarray)):
         if len(times) == 0:
             raise ValueError("there are no times")
-        return ",".join(text_of(each, "time") for each in times), False
-    return text_of(times, "time"), True
+        return ",".join(text_of(each, "time", exact) for each in times), False
+    return text_of(times, "time", exact), True
 
 
 def digits_and_rigour(scalar: str) -> tuple[int, int]:
@@ -76,11 +85,19 @@ def digits_and_rigour(scalar: str) -> tuple[int, int]:
     return int(found[2]), 2 if found[1] == "ball" else 1
 
 
-rigours = {"heuristic": 0, "rounded": 1, "proved": 2}
+#: The rigour of a number, in the same words everywhere in the library: proved by ball arithmetic; two-method, on which two
+#: computations agree; heuristic.
+rigours = {"heuristic": 0, "two-method": 1, "proved": 2}
+_earlier_words = {"rounded": "two-method"}
+
+
+def usual_word(rigour: str) -> str:
+    """The word of rigours for one that was used earlier."""
+    return _earlier_words.get(rigour, rigour)
 
 
 def rigour_of(rigour: str) -> int:
-    """'rounded' or 'proved' as a number of libration.h."""
-    if rigour not in ("rounded", "proved"):
-        raise ValueError(f"rigour is {rigour!r}: write 'proved' or 'rounded'")
-    return rigours[rigour]
+    """'two-method' or 'proved' as a number of libration.h."""
+    if usual_word(rigour) not in ("two-method", "proved"):
+        raise ValueError(f"rigour is {rigour!r}: write 'proved' or 'two-method'")
+    return rigours[usual_word(rigour)]

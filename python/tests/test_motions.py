@@ -20,7 +20,7 @@ def near(ball, truth, digits=DIGITS):
     return abs(ball.mpmath() - truth) <= abs(truth) * mpmath.mpf(10) ** (1 - digits)
 
 
-@pytest.mark.parametrize("rigour", ["proved", "rounded"])
+@pytest.mark.parametrize("rigour", ["proved", "two-method"])
 def test_period_from_90_degrees(rigour):
     swing = lb.motion(theta0="90deg", omega0=0)
     period = swing.period(DIGITS, rigour)

@@ -27,7 +27,7 @@ def test_notation(text):
     assert near(lb.problem(text, x=0, a=1).reference(1, 40)["x"], mpmath.tan(1), 40)
 
 
-@pytest.mark.parametrize("rigour", ["proved", "rounded"])
+@pytest.mark.parametrize("rigour", ["proved", "two-method"])
 def test_tangent(rigour):
     assert near(tangent().reference(1, 40, rigour)["x"], mpmath.tan(1), 40)
     assert near(tangent().reference(["1/2", "1"], 40, rigour)["x"][0], mpmath.tan(0.5), 40)

@@ -1,8 +1,11 @@
 // The C interface: what it answers, against closed forms.
 
+#include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -191,6 +194,82 @@ TEST_CASE("what is proved of a solution is kept where something is not", "[c]") 
     CHECK(libration_problem_known_states(mixed.get(), "1/2,", 20, LIBRATION_PROVED, nullptr, nullptr, &found) ==
           LIBRATION_ARGUMENT);
     CHECK(found == nullptr);
+}
+
+// x = x(0) cos wt + x'(0)/w sin wt at wt = pi/3, and the times at which it is 0.
+TEST_CASE("derivatives and events are those of a spring", "[c]") {
+    const auto spring = problem_of("x'' = -w^2*x; x(0) = 1; x'(0) = 0; w = 2");
+    const auto found = made<table>([&](auto** to) {
+        return libration_problem_derivatives(spring.get(), "pi/6", "x(0), x'(0), w", 20, nullptr, nullptr, to);
+    });
+    REQUIRE(libration_table_columns(found.get()) == 9);
+    CHECK(libration_table_name(found.get(), 4) == std::string("dx(t)/dx'(0)"));
+    CHECK(cell(found, 0, 3) == "0.50000000000000000000");
+    CHECK(agrees(cell(found, 0, 4), "0.43301270189221932338", 20));   // sqrt(3)/4
+    CHECK(agrees(cell(found, 0, 5), "-0.45344984105855446126", 20));  // -pi/6 sqrt(3)/2
+    CHECK(agrees(cell(found, 0, 6), "-1.7320508075688772935", 20));   // dx'/dx(0)
+    libration_table* none = nullptr;
+    CHECK(libration_problem_derivatives(spring.get(), "1", "z", 20, nullptr, nullptr, &none) == LIBRATION_ARGUMENT);
+    CHECK(libration_error_subject() == std::string("derivatives"));
+    CHECK(none == nullptr);
+    const auto zeros =
+        made<table>([&](auto** to) { return libration_problem_events(spring.get(), "x = 0", 2, 20, to); });
+    CHECK(agrees(cell(zeros, 1, 0), "2.3561944901923449288", 20));  // 3 pi/4
+    CHECK(libration_problem_events(spring.get(), "x = 0", 0, 20, &none) == LIBRATION_ARGUMENT);
+}
+
+// x' = 1 + x^2: the tangent, from any start, up to its pole. Doubles: some operations per step, few steps.
+TEST_CASE("solutions in double are those of the tangent", "[c]") {
+    constexpr double tolerance = 1000 * std::numeric_limits<double>::epsilon();
+    const auto tangent = problem_of("x' = 1 + x^2; x(0) = 1/2");
+    const std::array<double, 2> starts{0, 1};
+    const std::array<double, 3> times{-0.5, 0.5, 1.5};
+    std::array<double, 6> values{};
+    REQUIRE(libration_problem_flow(tangent.get(), 0, 2, starts.data(), 3, times.data(), nullptr, nullptr,
+                                   values.data()) == LIBRATION_OK);
+    const double quarter = std::atan(1.0);
+    for (std::size_t i = 0; i < 3; ++i) {
+        CHECK(std::abs(values[i] - std::tan(times[i])) <= tolerance * (1 + values[i] * values[i]));
+    }
+    CHECK(std::abs(values[4] - std::tan(0.5 + quarter)) <= tolerance * values[4] * values[4]);
+    CHECK(std::isnan(values[5]));
+    REQUIRE(libration_problem_flow(tangent.get(), 0, 1, nullptr, 1, times.data(), nullptr, nullptr, values.data()) ==
+            LIBRATION_OK);
+    CHECK(std::abs(values[0] - std::tan(std::atan(0.5) - 0.5)) <= tolerance);
+    const double infinite = HUGE_VAL;
+    CHECK(libration_problem_flow(tangent.get(), 0, 1, &infinite, 1, times.data(), nullptr, nullptr, values.data()) ==
+          LIBRATION_ARGUMENT);
+    double time = 1;
+    REQUIRE(libration_problem_start(tangent.get(), &time, values.data()) == LIBRATION_OK);
+    CHECK(time == 0);
+    CHECK(values[0] == 0.5);
+}
+
+TEST_CASE("the steps of a solution in double are its polynomials", "[c]") {
+    constexpr double tolerance = 1000 * std::numeric_limits<double>::epsilon();
+    const auto spring = problem_of("x'' = -x; x(0) = 1; x'(0) = 0");
+    const std::array<double, 2> start{1, 0};
+    libration_steps* found = nullptr;
+    REQUIRE(libration_steps_new(spring.get(), 0, start.data(), -10, &found) == LIBRATION_OK);
+    const std::unique_ptr<libration_steps, void (*)(libration_steps*)> owned(found, libration_steps_free);
+    const std::size_t count = libration_steps_count(found);
+    const std::size_t powers = libration_steps_order(found) + 1;
+    const double* const times = libration_steps_times(found);
+    REQUIRE(count > 1);
+    CHECK(times[0] == 0);
+    CHECK(times[count] == -10);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double* const of_x = libration_steps_coefficients(found) + i * 2 * powers;
+        CHECK(std::abs(of_x[0] - std::cos(times[i])) <= tolerance);
+        CHECK(std::abs(of_x[1] + std::sin(times[i])) <= tolerance);
+        CHECK(std::abs(of_x[powers] + std::sin(times[i])) <= tolerance);
+    }
+    const auto pole = problem_of("x' = x^2; x(0) = 1");
+    libration_steps* short_of_it = nullptr;
+    REQUIRE(libration_steps_new(pole.get(), 0, start.data(), 2, &short_of_it) == LIBRATION_OK);
+    CHECK(libration_steps_times(short_of_it)[libration_steps_count(short_of_it)] <= 1);
+    libration_steps_free(short_of_it);
+    CHECK(libration_steps_count(nullptr) == 0);
 }
 
 // Blasius: f''(0) k = 0.332... of the literature; van der Pol's period; the end of the epidemic of Eyam [PROBLEMS].

@@ -157,6 +157,34 @@ TEST_CASE("reference proves the digits of any problem, at times and at events", 
 }
 
 // The order of the unknowns is x, z, y; x - y is 0, which cannot be proved at any precision.
+// y = c/(1 - c t): dy/dc = 1/(1 - c t)^2 = 4 at 1/2, and y does not reach 2.
+TEST_CASE("reference prints derivatives in every format", "[command][problem]") {
+    const words pole{"reference",     "--problem", "y' = y^2; y(0) = c; c = 1", "--digits", "10",
+                     "--derivatives", "y(0), c"};
+    const auto rows = rows_of(pole + words{"--time", "1/2"});
+    REQUIRE(rows.size() == 1);
+    CHECK(rows[0].at("dy(t)/dy(0)") == "4.000000000");
+    CHECK(rows[0].at("dy(t)/dc") == "4.000000000");
+    const auto json = run_libration(pole + words{"--time", "1/2", "--format", "json", "--check"});
+    CHECK(json.exit_code == 0);
+    CHECK(json.out.find("\"dy(t)/dc\": \"4.000000000\"") != std::string::npos);
+    const auto part = run_libration(pole + words{"--time", "1/2,2"});
+    CHECK(part.exit_code == 1);
+    CHECK(part.out.find("dy(t)/dy(0) 4.000000000\n") != std::string::npos);
+    CHECK(part.err.find("is not reached") != std::string::npos);
+    // The equations of the pendulum instead of its closed form: dx/dx(0) = cos t at rest.
+    const auto rest = run_libration({"reference", "--problem", "x'' = -sin(x); x(0) = 0; x'(0) = 0", "--time", "1",
+                                     "--digits", "10", "--derivatives", "x(0)"});
+    CHECK(rest.out.find("dx(t)/dx(0) 0.5403023059\n") != std::string::npos);
+    const temporary_folder folder;
+    check_refused({"reference", "--problem", "y' = y; y(0) = 1", "--time", "1", "--derivatives", "z"},
+                  {"--derivatives 'z'", "neither a parameter nor an initial value"}, folder);
+    check_refused({"reference", "--problem", "y' = y; y(0) = 1", "--time", "1", "--derivatives", "y(0),,"},
+                  {"--derivatives 'y(0),,'", "empty item"}, folder);
+    check_refused({"reference", "--theta0", "1", "--omega0", "0", "--time", "1", "--derivatives", "y(0)"},
+                  {"--derivatives", "without --problem"}, folder);
+}
+
 TEST_CASE("one value or time that is not proved leaves the others", "[command][problem]") {
     const auto ended = run_libration(
         {"reference", "--problem", "y' = y^2; y(0)=1", "--time", "0.5,2,-1", "--digits", "10", "--format", "csv"});

@@ -536,6 +536,14 @@ FAULTS = [
          "radius.add_product(magnitude((*back)(i, k)), of.added[k].shifted(-scales[k]));", ""),
     ),
     *in_file(
+        "src/libration/ode/proved/flow_derivatives.cpp", ["ode/proved/flow_derivatives_test.cpp"],
+        ("initial values that contain a parameter do not move with it", "row.push_back(by_numbers.of(partial(each, leaf)));",
+         "row.push_back(ball(0));"),
+        ("derivatives that are taken to be 0", "if (!depends_[i][j]) {", "if (!depends_[i][j] || i < j) {"),
+        ("the derivative by another initial value", "columns.push_back({true, static_cast<std::size_t>(found - names.begin())});",
+         "columns.push_back({true, static_cast<std::size_t>(names.end() - found) - 1});"),
+    ),
+    *in_file(
         "src/libration/ode/proved/condition_system.cpp", ["ode/proved/event_laws_test.cpp"],
         ("a condition that starts with another slope", "with_leaves(slope, form, starts, at), at);",
          "with_leaves(value, form, starts, at), at);"),

@@ -2,6 +2,8 @@
 #include "libration/ode/step.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -114,6 +116,25 @@ TEST_CASE("trajectories have the digits that were asked for", "[ode][trajectory]
     }
     CHECK(few[1][0][0] == 1);
     CHECK(few[1][1][0] == 0);
+}
+
+// y = cos t from t = 1, instead of the initial point of the system: some operations per step, some ten steps.
+TEST_CASE("a march begins at any state, and its polynomials are the solution", "[ode][step]") {
+    constexpr double tolerance = 100 * std::numeric_limits<double>::epsilon();
+    taylor_march<double> march(solved("y'' = -y; y(0) = 5; y'(0) = 7"));
+    march.begin_at(1, {{std::cos(1.0), -std::sin(1.0)}});
+    CHECK(std::abs(march.advance_to(4)[0][0] - std::cos(4.0)) <= tolerance);
+    CHECK(march.advance_to(1)[0][0] == std::cos(1.0));
+    int steps = 0;
+    for (; march.step_towards(-20); ++steps) {
+        const double* const y = march.coefficients(0, 0);
+        CHECK(std::abs(y[0] - std::cos(march.centre())) <= tolerance);
+        CHECK(std::abs(2 * y[2] + std::cos(march.centre())) <= tolerance);
+        CHECK(march.coefficients(0, 1)[0] == y[1]);
+    }
+    CHECK(steps > 1);
+    CHECK(march.centre() + 20 <= march.length());
+    CHECK(std::abs(march.advance_to(-20)[0][0] - std::cos(20.0)) <= tolerance);
 }
 
 }  // namespace ode_step_test

@@ -80,18 +80,44 @@ public:
     /// The unknowns and their lower derivatives at time t, forwards or backwards. Throws error if the steps become too
     /// small before t: there is a singularity near.
     const solution_state<T>& advance_to(const T& t) {
-        const int forward = t < origin_ ? -1 : 1;
-        if (way_ != 0 && (forward != way_ || T((t - centre_) * way_) < 0)) {
-            restart();  // before the centre, or on the other side of the initial point
-        }
-        for (long steps = 0; !reaches(t); ++steps) {
-            way_ = forward;
-            require_step(t, steps);
-            move(T(centre_ + length_ * forward));
+        for (long steps = 0; step_towards(t); ++steps) {
+            if (steps >= most_steps) {
+                refuse(t);
+            }
         }
         state_ = at_start_ && t == origin_ ? start_state() : current().at(T(t - centre_));
         return state_;
     }
+
+    /// Replaces the initial point by another one, which is not singular, and the state there.
+    void begin_at(const T& time, solution_state<T> state) {
+        origin_ = time;
+        begin_ = std::move(state);
+        restart();
+    }
+
+    /// Takes one step towards time t unless the current series reaches it. Returns false in that case. Throws like
+    /// advance_to.
+    bool step_towards(const T& t) {
+        const int forward = t < origin_ ? -1 : 1;
+        if (way_ != 0 && (forward != way_ || T((t - centre_) * way_) < 0)) {
+            restart();  // before the centre, or on the other side of the initial point
+        }
+        if (reaches(t)) {
+            return false;
+        }
+        way_ = forward;
+        require_step(t);
+        move(T(centre_ + length_ * forward));
+        return true;
+    }
+
+    /// The point of the current series.
+    const T& centre() const { return centre_; }
+    int order() const { return accuracy_.order; }
+    /// Coefficient n = 0 .. order() of an unknown or a lower derivative of it about centre(); not about a singular
+    /// initial point.
+    const T* coefficients(int unknown, int derivative) const { return current().coefficients(unknown, derivative); }
 
     /// Number of steps begun so far.
     long steps() const { return steps_; }
@@ -102,10 +128,13 @@ private:
     const taylor_expansion<T>& current() const { return at_start_ ? first_ : other_; }
 
     void restart() {
-        at_start_ = true;
         way_ = 0;
         centre_ = origin_;
-        measure(start_.root());
+        at_start_ = !begin_;
+        if (begin_) {
+            other_.about(origin_, *begin_);
+        }
+        measure(at_start_ ? start_.root() : 1);
     }
 
     bool reaches(const T& t) const {
@@ -154,13 +183,16 @@ private:
         return largest;
     }
 
-    void require_step(const T& t, long steps) const {
-        using std::abs;
-        if (steps >= most_steps || T(centre_ + length_ / 64) == centre_ || !(length_ > 0)) {
-            throw error(error_kind::argument, "time", to_decimal(t, 10),
-                        "is not reached: the steps become too small near " + to_decimal(centre_, 10) +
-                            ", where a singularity is close");
+    void require_step(const T& t) const {
+        if (T(centre_ + length_ / 64) == centre_ || !(length_ > 0)) {
+            refuse(t);
         }
+    }
+
+    [[noreturn]] void refuse(const T& t) const {
+        throw error(error_kind::argument, "time", to_decimal(t, 10),
+                    "is not reached: the steps become too small near " + to_decimal(centre_, 10) +
+                        ", where a singularity is close");
     }
 
     solution_state<T> start_state() const {
@@ -178,6 +210,7 @@ private:
     step_accuracy accuracy_;
     taylor_expansion<T> first_, other_;
     T origin_;
+    std::optional<solution_state<T>> begin_;  ///< if it is not the initial point of the system
     T centre_ = T(0);
     T length_ = T(0);
     bool unlimited_ = false;

@@ -20,6 +20,10 @@ struct request {
     scalar_spec scalar{scalar_kind::proved, 50};
     /// Digits of the decimals; those of the scalar if 0.
     long digits = 0;
+    /// Of states: the parameters and initial values, r, x'(0), with respect to which every quantity is differentiated
+    /// (derivative_name), as ode::proved_derivatives does. Refused as error of the subject "derivatives" unless the
+    /// scalar is a ball. The derivatives of a recognised pendulum are those of its equations.
+    std::vector<std::string> derivatives = {};
     /// Each proof is compared with a second one by another route.
     bool check = false;
     /// Progress callback: the part of the work that is done, from 0 to 1. If it throws an error of the kind undecided,
@@ -62,6 +66,9 @@ struct answer_note {
     std::string name;
     std::string text;
 };
+
+/// The column of the derivative of a quantity with respect to a number: "dx'(t)/dx(0)".
+std::string derivative_name(const std::string& quantity, const std::string& variable, const std::string& number);
 
 /// Numbers with the names of their columns.
 struct answer {

@@ -35,7 +35,8 @@ public:
     virtual std::vector<std::string> times_in_decimals(const std::vector<exact>& times, long digits) const;
 
     /// The quantities at times, in any order, on both sides of the initial point. A time that is not reached and a
-    /// number that no precision within the limits decides are missing in the answer. Throws error of the kind argument
+    /// number that no precision within the limits decides are missing in the answer. For request::derivatives these
+    /// follow, those of the first quantity first. Throws error of the kind argument
     /// for an unsupported time: before a singular initial point, beyond a singularity in arithmetic that rounds.
     virtual answer states(const std::vector<exact>& times, const request& how) const = 0;
     /// The same for a list given as text: "0, 1/2, sqrt(2)".

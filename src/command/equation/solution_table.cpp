@@ -20,7 +20,7 @@ std::string undecided_text(const std::string& name, const answer_value& value) {
 }
 
 std::string line_of(const std::string& name, const std::string& value) {
-    return value.empty() ? "" : fmt::format("{:<10}{}\n", name, value);
+    return value.empty() ? "" : fmt::format("{:<9} {}\n", name, value);
 }
 
 std::string lines_of(const shared_cells::list& cells) {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "equation/derivative_options.hpp"
 #include "equation/integrator_options.hpp"
 #include "equation/problem_options.hpp"
 #include "equation/problem_trajectory.hpp"
@@ -36,6 +37,7 @@ struct reference_options {
     motion_options motion;
     problem_options problem;
     integrator_options integrator;
+    derivative_options derivatives;
     output_options output;
     plot_axes plot;
     event_options events;
@@ -178,9 +180,10 @@ void refuse_motions(const reference_options& options) {
     }
 }
 
-// Throws for --integrator and --trace if nothing is integrated to given times.
+// Throws for options of an integration to given times if there is none.
 void require_no_integration(const reference_options& options, const std::string& reason) {
     options.integrator.require_absent(reason);
+    options.derivatives.require_absent(reason);
     if (options.trace) {
         throw input_error("--trace", *options.trace, reason, "leave it out");
     }
@@ -239,8 +242,9 @@ std::vector<asked_solution> asked_by(const reference_options& options, const std
                                      long digits) {
     std::vector<asked_solution> asked;
     if (options.problem.is_chosen()) {
+        const bool general = options.integrator.integrates() || options.derivatives.differentiate();
         for (const family_member& each : family) {
-            asked.push_back(problem_of_options(options, each.problem.solution(options.integrator.integrates())));
+            asked.push_back(problem_of_options(options, each.problem.solution(general)));
         }
     } else if (options.motions) {
         asked = motions_of_file(options);
@@ -263,6 +267,7 @@ std::vector<partial_table> answered(const std::vector<asked_solution>& asked, co
     on_threads(asked.size(), jobs_of(options.jobs), [&](std::size_t i) {
         progress_of_part to(shown);
         parts[i] = states_of(asked[i], {.scalar = {scalar_kind::proved, digits},
+                                        .derivatives = options.derivatives.numbers(),
                                         .check = options.check,
                                         .progress = [&](double part) { to(part); },
                                         .reached = [&](double time, long bits) { to.reached(time, bits); },
@@ -297,8 +302,10 @@ int run_reference(const reference_options& options) {
         throw input_error("--digits", std::to_string(digits), "would take hours with --check",
                           fmt::format("write {} or fewer", most_checked_digits));
     }
-    const auto parts = naming_option(
-        "--problem", [&] { return integrator_options::naming([&] { return answered(asked, options, digits); }); });
+    const auto parts = naming_option("--problem", [&] {
+        return derivative_options::naming(
+            [&] { return integrator_options::naming([&] { return answered(asked, options, digits); }); });
+    });
     const auto found = family.size() == 1 ? stacked_states(parts) : family_table(family, parts);
     if (found.has_output()) {
         if (figure) {
@@ -321,6 +328,7 @@ subcommand reference_command(CLI::App& program) {
     options->motion.add_to(*command);
     options->problem.add_to(*command, problem_options::closed_forms::used, problem_options::set_values::lists);
     options->integrator.add_to(*command);
+    options->derivatives.add_to(*command);
     options->output.add_to(*command, output_options::columns_option::not_here);
     options->plot.add_to(*command);
     command->add_option("--digits", options->digits, "significant digits, each proved to one unit in the last (50)")

@@ -49,6 +49,12 @@ struct libration_problem {
     std::vector<std::string> names;  ///< of the unknowns and their lower derivatives
 };
 
+struct libration_steps {
+    std::size_t order = 0;
+    std::vector<double> times;
+    std::vector<double> coefficients;
+};
+
 struct libration_sampler {
     libration::pendulum::sampler<double> of;
 };

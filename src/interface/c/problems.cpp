@@ -56,24 +56,33 @@ void add_known(libration_table& table, const answer_value& value, bool proved) {
 }
 
 known_states states_of(const libration_problem& p, const std::string& list, long digits, bool proved,
-                       const watcher& watch) {
+                       const watcher& watch, std::vector<std::string> numbers = {}) {
     const auto items = items_of(list, "times");
     std::vector<exact> times;
     std::ranges::transform(items, std::back_inserter(times), time_of);
     const request how{.scalar = {proved ? scalar_kind::proved : scalar_kind::arbitrary, given_digits(digits)},
+                      .derivatives = std::move(numbers),
                       .progress = [&](double part) { watch(part); }};
     // A separate solution for each call: one in which memory ran out is not used again.
     auto found = solve(problem_of(p))->states(times, how);
     libration_table table{{"time"}, {}};
-    table.names.insert(table.names.end(), p.names.begin(), p.names.end());
+    table.names.insert(table.names.end(), found.names.begin(), found.names.end());
     for (std::size_t i = 0; i < items.size(); ++i) {
         table.add(items[i]);
-        found.rows[i].resize(p.names.size());
+        found.rows[i].resize(found.names.size());
         for (const answer_value& value : found.rows[i]) {
             add_known(table, value, proved);
         }
     }
     return {std::move(table), std::move(found.missing)};
+}
+
+// The table in a handle of the caller, and then the reason of what is missing.
+void write_known(known_states found, libration_table** to) {
+    *to = std::make_unique<libration_table>(std::move(found.table)).release();
+    if (found.missing) {
+        throw error(*found.missing);
+    }
 }
 
 libration_number number_of(const answer_value& value, const std::string& rigour) {
@@ -179,12 +188,20 @@ int libration_problem_known_states(const libration_problem* problem, const char*
     return guarded([&] {
         given(states, "the pointer to the result");
         *states = nullptr;
-        auto found = states_of(given(problem, "problem"), text_of(times, "times"), digits, asks_proof(rigour),
-                               watcher(watch, context));
-        *states = std::make_unique<libration_table>(std::move(found.table)).release();
-        if (found.missing) {
-            throw error(*found.missing);
-        }
+        write_known(states_of(given(problem, "problem"), text_of(times, "times"), digits, asks_proof(rigour),
+                              watcher(watch, context)),
+                    states);
+    });
+}
+
+int libration_problem_derivatives(const libration_problem* problem, const char* times, const char* numbers, long digits,
+                                  libration_watch watch, void* context, libration_table** derivatives) {
+    return guarded([&] {
+        given(derivatives, "the pointer to the result");
+        *derivatives = nullptr;
+        write_known(states_of(given(problem, "problem"), text_of(times, "times"), digits, true, watcher(watch, context),
+                              items_of(text_of(numbers, "numbers"), "numbers")),
+                    derivatives);
     });
 }
 
@@ -242,6 +259,20 @@ int libration_problem_limits(const libration_problem* problem, long digits, libr
     return made(limits, [&] {
         return table_of_numbers(
             solve(problem_of(given(problem, "problem")))->limits(proved_digits(given_digits(digits))));
+    });
+}
+
+int libration_problem_events(const libration_problem* problem, const char* condition, long count, long digits,
+                             libration_table** events) {
+    return guarded([&] {
+        given(events, "the pointer to the result");
+        *events = nullptr;
+        if (count < 1) {
+            throw error(error_kind::argument, "number of events", std::to_string(count), "is less than 1");
+        }
+        const answer found = solve(problem_of(given(problem, "problem")))
+                                 ->events(text_of(condition, "condition"), count, proved_digits(given_digits(digits)));
+        write_known({table_of_numbers(found), found.missing}, events);
     });
 }
 

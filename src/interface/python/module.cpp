@@ -1,146 +1,14 @@
 // The compiled half of the Python package: the C interface with Python's texts, exceptions and arrays. The public
 // interface is in python/libration.
-#include <libration.h>
 #include <pybind11/numpy.h>
-#include <pybind11/pybind11.h>
-#include <pybind11/stl.h>
 
 #include <array>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
-namespace py = pybind11;
+#include "calls.hpp"
 
 namespace {
 
-template <class Handle, void (*free)(Handle*)>
-struct freeing {
-    void operator()(Handle* handle) const { free(handle); }
-};
-template <class Handle, void (*free)(Handle*)>
-using owned = std::unique_ptr<Handle, freeing<Handle, free>>;
-using number_handle = owned<libration_number, libration_number_free>;
-using table_handle = owned<libration_table, libration_table_free>;
-using motion_handle = owned<libration_motion, libration_motion_free>;
-using problem_handle = owned<libration_problem, libration_problem_free>;
-using sampler_handle = owned<libration_sampler, libration_sampler_free>;
-
-// Handles owned by Python objects.
-struct motion_object {
-    motion_handle handle;
-};
-struct problem_object {
-    problem_handle handle;
-};
-struct sampler_object {
-    sampler_handle handle;
-};
-
-// decimal, uncertainty, rigour: the parts of a Ball.
-using number_parts = std::tuple<std::string, std::string, int>;
-// Names, and cells row by row: a text, or the parts of a number.
-using table_parts = std::pair<std::vector<std::string>, py::list>;
-
-// The error of a failed call as an exception of libration.errors, with the results that are known nevertheless; a
-// signal that cancelled the call is raised as its own exception.
-[[noreturn]] void raise(int code, const py::object& partial = py::none()) {
-    if (code == LIBRATION_CANCELLED && PyErr_Occurred() != nullptr) {
-        throw py::error_already_set();
-    }
-    if (code == LIBRATION_NO_MEMORY) {
-        PyErr_SetString(PyExc_MemoryError, libration_error_message());
-        throw py::error_already_set();
-    }
-    const py::object raised = py::module_::import("libration.errors")
-                                  .attr("error_of")(code, libration_error_message(), libration_error_subject(),
-                                                    libration_error_value(), libration_error_reason());
-    if (!partial.is_none()) {
-        raised.attr("partial") = partial;
-    }
-    PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(raised.ptr())), raised.ptr());
-    throw py::error_already_set();
-}
-
-// call() without the interpreter's lock; its error as an exception. The error is kept for this thread.
-template <class Call>
-void run(const Call& call) {
-    int code = LIBRATION_OK;
-    {
-        const py::gil_scoped_release released;
-        code = call();
-    }
-    if (code != LIBRATION_OK) {
-        raise(code);
-    }
-}
-
-// The object created by call(&handle).
-template <class Owned, class Call>
-Owned made(const Call& call) {
-    typename Owned::pointer handle = nullptr;
-    run([&] { return call(&handle); });
-    return Owned(handle);
-}
-
-// Handles Ctrl-C in long calls.
-int watch_signals(double /*part*/, void* /*context*/) {
-    const py::gil_scoped_acquire lock;
-    return PyErr_CheckSignals() == 0 ? 0 : 1;
-}
-
-const char* optional_text(const std::optional<std::string>& text) { return text ? text->c_str() : nullptr; }
-
-number_parts parts_of(const libration_number* number) {
-    return {libration_number_decimal(number), libration_number_uncertainty(number), libration_number_rigour(number)};
-}
-
-template <class Call>
-number_parts number(const Call& call) {
-    return parts_of(made<number_handle>(call).get());
-}
-
-table_parts parts_of(const libration_table* found) {
-    table_parts parts;
-    const std::size_t columns = libration_table_columns(found);
-    for (std::size_t i = 0; i < columns; ++i) {
-        parts.first.emplace_back(libration_table_name(found, i));
-    }
-    for (std::size_t row = 0; row < libration_table_rows(found); ++row) {
-        for (std::size_t column = 0; column < columns; ++column) {
-            const libration_number* const cell = libration_table_number(found, row, column);
-            if (cell != nullptr) {
-                parts.second.append(parts_of(cell));
-            } else {
-                parts.second.append(libration_table_text(found, row, column));
-            }
-        }
-    }
-    return parts;
-}
-
-template <class Call>
-table_parts table(const Call& call) {
-    return parts_of(made<table_handle>(call).get());
-}
-
-// For a call that returns a table of known values even if it fails; the exception has it as `partial`.
-template <class Call>
-table_parts known_table(const Call& call) {
-    libration_table* handle = nullptr;
-    int code = LIBRATION_OK;
-    {
-        const py::gil_scoped_release released;
-        code = call(&handle);
-    }
-    const table_handle found(handle);
-    if (code != LIBRATION_OK) {
-        raise(code, found ? py::cast(parts_of(found.get())) : py::none());
-    }
-    return parts_of(found.get());
-}
+using namespace libration::python;
 
 using doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
@@ -154,6 +22,48 @@ std::pair<doubles, doubles> sampled(const sampler_object& of, const doubles& tim
     const auto count = static_cast<std::size_t>(times.size());
     run([&] { return libration_sampler_at(of.handle.get(), count, from, angles, speeds); });
     return {theta, omega};
+}
+
+// The states at the times, [solution][time][name]; without starts, of the solution of the problem itself.
+doubles flow(const problem_object& of, double begin, const std::optional<doubles>& starts, const doubles& times) {
+    const auto size = static_cast<py::ssize_t>(libration_problem_size(of.handle.get()));
+    if ((starts && (starts->ndim() != 2 || starts->shape(1) != size)) || times.ndim() != 1) {
+        throw py::value_error("starts are rows of " + std::to_string(size) + " numbers, times one row");
+    }
+    doubles values({starts ? starts->shape(0) : 1, times.shape(0), size});
+    const double* const from = starts ? starts->data() : nullptr;
+    const double* const at = times.data();
+    double* const to = values.mutable_data();
+    const auto solutions = static_cast<std::size_t>(values.shape(0));
+    const auto count = static_cast<std::size_t>(times.shape(0));
+    run([&] {
+        return libration_problem_flow(of.handle.get(), begin, solutions, from, count, at, watch_signals, nullptr, to);
+    });
+    return values;
+}
+
+// The initial time, and the state there.
+std::pair<double, doubles> start(const problem_object& of) {
+    doubles values(static_cast<py::ssize_t>(libration_problem_size(of.handle.get())));
+    double time = 0;
+    double* const to = values.mutable_data();
+    run([&] { return libration_problem_start(of.handle.get(), &time, to); });
+    return {time, values};
+}
+
+// The points between the steps, and their coefficients [step][name][power].
+std::pair<doubles, doubles> steps(const problem_object& of, double begin, const doubles& start, double end) {
+    const auto size = static_cast<py::ssize_t>(libration_problem_size(of.handle.get()));
+    if (start.ndim() != 1 || start.shape(0) != size) {
+        throw py::value_error("the start is one row of " + std::to_string(size) + " numbers");
+    }
+    const double* const from = start.data();
+    const auto found =
+        made<steps_handle>([&](auto** to) { return libration_steps_new(of.handle.get(), begin, from, end, to); });
+    const auto count = static_cast<py::ssize_t>(libration_steps_count(found.get()));
+    const auto powers = static_cast<py::ssize_t>(libration_steps_order(found.get())) + 1;
+    return {doubles(count + 1, libration_steps_times(found.get())),
+            doubles({count, size, powers}, libration_steps_coefficients(found.get()))};
 }
 
 // mantissa, exponent, radius, exponent of the radius of the number with these parts.
@@ -236,6 +146,16 @@ void define_problems(py::module_& m) {
                                                   nullptr, to);
         });
     });
+    problem.def("derivatives",
+                [](const problem_object& of, const std::string& times, const std::string& numbers, long digits) {
+                    return known_table([&](auto** to) {
+                        return libration_problem_derivatives(of.handle.get(), times.c_str(), numbers.c_str(), digits,
+                                                             watch_signals, nullptr, to);
+                    });
+                });
+    problem.def("start", start);
+    problem.def("flow", flow);
+    problem.def("steps", steps);
     problem.def("coefficients",
                 [](const problem_object& of, const std::optional<std::string>& point,
                    const std::optional<std::string>& corners, long first, long last, long digits, int rigour) {
@@ -269,6 +189,10 @@ void define_problems(py::module_& m) {
                 });
     problem.def("limits", [](const problem_object& of, long digits) {
         return table([&](auto** to) { return libration_problem_limits(of.handle.get(), digits, to); });
+    });
+    problem.def("events", [](const problem_object& of, const std::string& condition, long count, long digits) {
+        return known_table(
+            [&](auto** to) { return libration_problem_events(of.handle.get(), condition.c_str(), count, digits, to); });
     });
     problem.def(
         "find", [](const problem_object& of, const std::string& unknowns, const std::string& conditions, long digits) {

@@ -3,12 +3,12 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "libration/ode/equation_system.hpp"
+#include "libration/ode/proved/flow_derivatives.hpp"
 #include "libration/ode/proved/proved_march.hpp"
 #include "libration/scalar/text/printed_number.hpp"
 
@@ -30,14 +30,13 @@ class dependence {
 public:
     /// For these unknowns and those that they depend on; for all if none is named. Throws error like explicit_system.
     explicit dependence(const equation_system& given, const std::vector<std::string>& unknowns = {});
-    ~dependence();
 
     /// The unknowns of the problem and its parameters, in the order of their first occurrence in the equations.
-    const explicit_system& system() const;
+    const explicit_system& system() const { return flow_.system(); }
     /// The indices of the unknowns of the problem and their lower derivatives, in order, in the state of system().
-    const std::vector<std::size_t>& own() const;
+    const std::vector<std::size_t>& own() const { return flow_.own(); }
     /// Their names: x, x', ...
-    const std::vector<std::string>& names() const;
+    const std::vector<std::string>& names() const { return flow_.names(); }
     /// The changes of these values, for an integration of system() that keeps its derivative, at a time where it has
     /// this state. by_rounding is 0 below 10^-negligible |y|. Returns std::nullopt if more bits are needed, also in the
     /// error maps.
@@ -45,8 +44,7 @@ public:
                                                   const std::vector<ball>& state, long negligible) const;
 
 private:
-    struct open_problem;
-    std::unique_ptr<const open_problem> open_;
+    opened_flow flow_;
 };
 
 /// The unknowns and their lower derivatives at a time, in order.

@@ -77,11 +77,13 @@ inline void require_more_bits(const proved_march& march, const number& time, boo
 
 /// An additional request to a run besides the values.
 struct further_question {
-    /// Called with the state at time number `index`, whose digits are proved, when the integration has reached it.
-    /// False if it needs a run with more bits, also of the error maps.
+    /// Called with the state at time number `index`, whose digits are proved or which is not distinguished from 0,
+    /// when the integration has reached it. False if it needs a run with more bits, also of the error maps.
     std::function<bool(proved_march& march, std::size_t index, const std::vector<ball>& state)> answered = {};
     /// The indices in the state of the requested values; empty for all of them.
     std::vector<std::size_t> places = {};
+    /// The bits of the error maps of the first run.
+    long error_bits = proved_march::usual_error_bits;
 };
 
 /// Runs from the initial point through all times, each with more bits than the one before, until every digit is proved
@@ -97,6 +99,7 @@ public:
           further_(std::move(further)),
           route_(route),
           observer_(std::move(observer)),
+          error_bits_(further_.error_bits),
           order_(in_order(system, times)),
           done_(times.size()),
           bits_(digits) {
@@ -152,11 +155,12 @@ private:
             if (!proved(each.index, asked_of(*state))) {
                 return false;
             }
+            const bool answered = !further_.answered || further_.answered(*march, each.index, *state);
             if (!decided(each.index)) {
                 at_zero = at_zero.value_or(each.index);
                 continue;
             }
-            if (further_.answered && !further_.answered(*march, each.index, *state)) {
+            if (!answered) {
                 error_bits_ *= 2;
                 bits_.raise_to(bits_.now() + error_bits_ / 4, "time", text_of(each.index));
                 return false;
@@ -258,7 +262,7 @@ private:
     further_question further_;
     proof_route route_;
     step_observer observer_;
-    long error_bits_ = proved_march::usual_error_bits;
+    long error_bits_;
     std::vector<asked_time> order_;
     std::vector<bool> done_;
     std::array<bool, 2> ended_{};                   ///< backwards and forwards

@@ -170,6 +170,9 @@ answer pendulum_solution::states(const std::vector<exact>& times, const request&
     if (!correct) {
         return general("in a fixed scalar").states(times, how);
     }
+    if (!how.derivatives.empty()) {
+        return general("for derivatives").states(times, how);
+    }
     if (how.integrator != ode::integrator_choice::automatic) {
         throw error(error_kind::argument, "integrator",
                     how.integrator == ode::integrator_choice::taylor ? "taylor" : "collocation",

@@ -30,6 +30,10 @@ const std::string& answer::at(std::size_t row, const std::string& name) const {
     return rows[row][place].text;
 }
 
+std::string derivative_name(const std::string& quantity, const std::string& variable, const std::string& number) {
+    return "d" + quantity + "(" + variable + ")/d" + number;
+}
+
 std::vector<std::string> solution::times_in_decimals(const std::vector<exact>& times, long digits) const {
     std::vector<std::string> decimals;
     std::ranges::transform(times, std::back_inserter(decimals),

@@ -11,6 +11,7 @@
 #include "libration/ode/constant_value.hpp"
 #include "libration/ode/invariant.hpp"
 #include "libration/ode/parse.hpp"
+#include "libration/ode/proved/flow_derivatives.hpp"
 #include "libration/ode/proved/proved_events.hpp"
 #include "libration/ode/proved/proved_trajectory.hpp"
 #include "libration/ode/step.hpp"
@@ -110,13 +111,59 @@ std::vector<answer_value> rounded_row(const ode::explicit_system& system, const 
     return reached ? row : std::vector<answer_value>{};
 }
 
-void require_second_proof(const ode::explicit_system& system, const std::vector<exact>& times, const request& how,
-                          const ode::partial_trajectory& first) {
+}  // namespace
+
+taylor_solution::taylor_solution(ode::equation_system equations)
+    : solution(ode::names_of_state(ode::explicit_system(equations))),
+      equations_(std::move(equations)),
+      system_(equations_) {}
+
+answer taylor_solution::states(const std::vector<exact>& times, const request& how) const {
+    if (!how.derivatives.empty() && how.scalar.kind != scalar_kind::proved) {
+        throw error(error_kind::argument, "derivatives", how.derivatives.front(),
+                    "is for proved digits, and these are rounded: use the scalar ball:D");
+    }
+    return how.scalar.kind == scalar_kind::proved ? proved_states(times, how) : rounded_states(times, how);
+}
+
+std::vector<std::string> taylor_solution::names_of_states(const request& how) const {
+    std::vector<std::string> names = quantities();
+    for (const std::string& quantity : quantities()) {
+        for (const std::string& number : how.derivatives) {
+            names.push_back(derivative_name(quantity, system_.variable(), number));
+        }
+    }
+    return names;
+}
+
+// The values at each time and, if any are requested, the derivatives.
+ode::partial_trajectory taylor_solution::proved_part(const std::vector<exact>& times, const request& how, long digits,
+                                                     const ode::march_watch& watch, const ode::proof_route& route,
+                                                     const ode::step_observer& observer) const {
+    const auto at = numbers_of(times);
+    if (how.derivatives.empty()) {
+        return ode::proved_part_of_trajectory(system_, at, digits, watch, route, observer);
+    }
+    auto found = ode::proved_derivatives(equations_, at, how.derivatives, digits, watch, route, observer);
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        auto& values = found.trajectory.states[i];
+        if (values.empty()) {
+            continue;
+        }
+        for (auto& row : found.by[i]) {
+            std::ranges::move(row, std::back_inserter(values));
+        }
+        values.resize(names_of_states(how).size());
+    }
+    return std::move(found.trajectory);
+}
+
+void taylor_solution::require_second_proof(const std::vector<exact>& times, const request& how,
+                                           const ode::partial_trajectory& first) const {
     ode::proof_route route = ode::proof_route::second();
     route.integrator = how.integrator;
-    const auto second =
-        ode::proved_part_of_trajectory(system, numbers_of(times), how.printed_digits() + digits_of_second, {}, route);
-    const auto names = ode::names_of_state(system);
+    const auto second = proved_part(times, how, how.printed_digits() + digits_of_second, {}, route, {});
+    const auto names = names_of_states(how);
     for (std::size_t i = 0; i < first.states.size(); ++i) {
         const std::size_t compared = std::min(first.states[i].size(), second.states[i].size());
         for (std::size_t j = 0; j < compared; ++j) {
@@ -129,30 +176,18 @@ void require_second_proof(const ode::explicit_system& system, const std::vector<
     }
 }
 
-}  // namespace
-
-taylor_solution::taylor_solution(ode::equation_system equations)
-    : solution(ode::names_of_state(ode::explicit_system(equations))),
-      equations_(std::move(equations)),
-      system_(equations_) {}
-
-answer taylor_solution::states(const std::vector<exact>& times, const request& how) const {
-    return how.scalar.kind == scalar_kind::proved ? proved_states(times, how) : rounded_states(times, how);
-}
-
 answer taylor_solution::proved_states(const std::vector<exact>& times, const request& how) const {
     const auto checked = checked_products(how.check);
-    const auto at = numbers_of(times);
-    const part_of_way part(system_, at, how);
+    const part_of_way part(system_, numbers_of(times), how);
     ode::proof_route route;
     route.integrator = how.integrator;
-    auto found = ode::proved_part_of_trajectory(
-        system_, at, how.printed_digits(), [&](const ball& reached, long bits) { part(reached, bits); }, route,
+    auto found = proved_part(
+        times, how, how.printed_digits(), [&](const ball& reached, long bits) { part(reached, bits); }, route,
         how.observer);
     if (how.check) {
-        require_second_proof(system_, times, how, found);
+        require_second_proof(times, how, found);
     }
-    answer result{.names = quantities(), .rows = {}, .rigour = "proved"};
+    answer result{.names = names_of_states(how), .rows = {}, .rigour = "proved"};
     for (const auto& state : found.states) {
         auto& row = result.rows.emplace_back();
         for (const ode::trajectory_value& each : state) {

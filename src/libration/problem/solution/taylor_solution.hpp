@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "libration/ode/proved/problem_coefficients.hpp"
+#include "libration/ode/proved/proved_trajectory.hpp"
 #include "libration/ode/taylor_expansion.hpp"
 #include "libration/problem/solution.hpp"
 #include "libration/scalar/mpfr.hpp"
@@ -52,6 +53,12 @@ private:
     ode::coefficient_request coefficients_of(const series_request& of) const;
     void require_second_series(const ode::coefficient_request& of, long digits,
                                const std::vector<proved_decimal>& first) const;
+    std::vector<std::string> names_of_states(const request& how) const;
+    ode::partial_trajectory proved_part(const std::vector<exact>& times, const request& how, long digits,
+                                        const ode::march_watch& watch, const ode::proof_route& route,
+                                        const ode::step_observer& observer) const;
+    void require_second_proof(const std::vector<exact>& times, const request& how,
+                              const ode::partial_trajectory& first) const;
     answer proved_states(const std::vector<exact>& times, const request& how) const;
     answer rounded_states(const std::vector<exact>& times, const request& how) const;
 

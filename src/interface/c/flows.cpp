@@ -1,0 +1,219 @@
+// Solutions in double precision: at many times from many starts, and as the polynomials of their steps.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "guarded.hpp"
+#include "libration/ode/step.hpp"
+#include "libration/scalar/text/decimal.hpp"
+
+namespace libration::c {
+
+namespace {
+
+constexpr std::size_t most_steps = 1'000'000;
+
+using state = ode::solution_state<double>;
+using march = ode::taylor_march<double>;
+
+void require_finite(double x, const char* name) {
+    if (!std::isfinite(x)) {
+        throw error(error_kind::argument, name, "", "is not a finite number");
+    }
+}
+
+void require_finite(const double* numbers, std::size_t count, const char* name) {
+    if (count > 0) {
+        given(numbers, name);
+    }
+    std::for_each_n(numbers, count, [&](double x) { require_finite(x, name); });
+}
+
+state state_of(const ode::explicit_system& system, const double* values) {
+    state result;
+    for (const ode::unknown_function& each : system.unknowns()) {
+        result.emplace_back(values, values + each.order);
+        values += each.order;
+    }
+    return result;
+}
+
+bool is_finite(const state& values) {
+    return std::ranges::all_of(values, [](const auto& of_unknown) {
+        return std::ranges::all_of(of_unknown, [](double x) { return std::isfinite(x); });
+    });
+}
+
+// The indices of times: those from `begin` on ascending, then the others descending.
+std::vector<std::size_t> in_order_of_steps(double begin, const double* times, std::size_t count) {
+    std::vector<std::size_t> order(count);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
+        const bool forward = times[a] >= begin;
+        return forward != (times[b] >= begin) ? forward : forward ? times[a] < times[b] : times[a] > times[b];
+    });
+    return order;
+}
+
+// Whether the integration reaches a time, with finite values there.
+bool reaches(march& of, double time, state& values) {
+    try {
+        values = of.advance_to(time);
+        return is_finite(values);
+    } catch (const error& problem) {
+        if (problem.subject() != "time") {
+            throw;
+        }
+        return false;
+    }
+}
+
+// One solution at all times, in rows of `size` numbers.
+void write_solution(march& of, double begin, const double* times, const std::vector<std::size_t>& order,
+                    std::size_t size, double* rows) {
+    std::fill_n(rows, order.size() * size, std::numeric_limits<double>::quiet_NaN());
+    bool ended = false;
+    bool forward = true;
+    for (const std::size_t i : order) {
+        if ((times[i] >= begin) != forward) {
+            forward = false;
+            ended = false;
+        }
+        state values;
+        ended = ended || !reaches(of, times[i], values);
+        if (ended) {
+            continue;
+        }
+        double* to = rows + i * size;
+        for (const auto& of_unknown : values) {
+            to = std::ranges::copy(of_unknown, to).out;
+        }
+    }
+}
+
+double origin_of(const ode::explicit_system& system) { return ode::constant_value<double>::of(system.point()); }
+
+// The only solution from a singular initial point is that of the problem itself.
+void require_regular(const ode::explicit_system& system, double begin) {
+    require_finite(begin, "begin");
+    if (system.singular() && begin == origin_of(system)) {
+        throw error(error_kind::argument, "begin", to_decimal(begin, 6),
+                    "is a singular initial point: begin at another time, with the state there");
+    }
+}
+
+// Appends the polynomials of the current step.
+void add_polynomials(const march& of, const ode::explicit_system& system, std::vector<double>& to) {
+    for (std::size_t i = 0; i < system.unknowns().size(); ++i) {
+        for (int j = 0; j < system.unknowns()[i].order; ++j) {
+            const double* const first = of.coefficients(static_cast<int>(i), j);
+            to.insert(to.end(), first, first + of.order() + 1);
+        }
+    }
+}
+
+// Whether there is a step on which the polynomials added last are finite.
+bool advances(march& of, double end, bool& done) {
+    try {
+        done = !of.step_towards(end);
+        return true;
+    } catch (const error& problem) {
+        if (problem.subject() != "time") {
+            throw;
+        }
+        return false;
+    }
+}
+
+libration_steps steps_of(const libration_problem& problem, double begin, const double* start, double end) {
+    march of(problem.system);
+    of.begin_at(begin, state_of(problem.system, start));
+    libration_steps result{static_cast<std::size_t>(of.order()), {begin}, {}};
+    for (bool done = begin == end; !done;) {
+        if (result.times.size() > most_steps) {
+            throw error(error_kind::undecided, "time", to_decimal(end, 6),
+                        "is not reached in a million steps, as for stiff equations: the last of them is at " +
+                            to_decimal(result.times.back(), 6));
+        }
+        const std::size_t before = result.coefficients.size();
+        add_polynomials(of, problem.system, result.coefficients);
+        const bool finite = std::all_of(result.coefficients.begin() + static_cast<std::ptrdiff_t>(before),
+                                        result.coefficients.end(), [](double x) { return std::isfinite(x); });
+        if (!finite || !advances(of, end, done)) {
+            result.coefficients.resize(before);
+            break;
+        }
+        result.times.push_back(done ? end : of.centre());
+    }
+    return result;
+}
+
+}  // namespace
+
+}  // namespace libration::c
+
+using namespace libration;
+using namespace libration::c;
+
+int libration_problem_flow(const libration_problem* problem, double begin, size_t solutions, const double* starts,
+                           size_t count, const double* times, libration_watch watch, void* context, double* values) {
+    return guarded([&] {
+        const std::size_t size = given(problem, "problem").names.size();
+        require_finite(times, count, "times");
+        if (solutions * count > 0) {
+            given(values, "values");
+        }
+        march of(problem->system);
+        if (starts == nullptr) {
+            const double origin = origin_of(problem->system);
+            write_solution(of, origin, times, in_order_of_steps(origin, times, count), size, values);
+            return;
+        }
+        require_regular(problem->system, begin);
+        require_finite(starts, solutions * size, "starts");
+        const auto order = in_order_of_steps(begin, times, count);
+        const watcher watched(watch, context);
+        for (std::size_t i = 0; i < solutions; ++i) {
+            of.begin_at(begin, state_of(problem->system, starts + i * size));
+            write_solution(of, begin, times, order, size, values + i * count * size);
+            watched(i + 1, solutions);
+        }
+    });
+}
+
+int libration_problem_start(const libration_problem* problem, double* time, double* values) {
+    return guarded([&] {
+        const ode::explicit_system& system = given(problem, "problem").system;
+        given(time, "time");
+        given(values, "values");
+        *time = origin_of(system);
+        for (const auto& of_unknown : system.starts()) {
+            values = std::ranges::transform(of_unknown, values, &ode::constant_value<double>::of).out;
+        }
+    });
+}
+
+int libration_steps_new(const libration_problem* problem, double begin, const double* start, double end,
+                        libration_steps** steps) {
+    return made(steps, [&] {
+        require_regular(given(problem, "problem").system, begin);
+        require_finite(end, "end");
+        require_finite(start, problem->names.size(), "start");
+        return steps_of(*problem, begin, start, end);
+    });
+}
+
+size_t libration_steps_count(const libration_steps* steps) { return steps == nullptr ? 0 : steps->times.size() - 1; }
+
+size_t libration_steps_order(const libration_steps* steps) { return steps == nullptr ? 0 : steps->order; }
+
+const double* libration_steps_times(const libration_steps* steps) {
+    return steps == nullptr ? nullptr : steps->times.data();
+}
+
+const double* libration_steps_coefficients(const libration_steps* steps) {
+    return steps == nullptr ? nullptr : steps->coefficients.data();
+}
+
+void libration_steps_free(libration_steps* steps) { delete steps; }
