@@ -161,10 +161,20 @@ TEST_CASE("the catalogue has the problems it promises", "[problem][catalogue]") 
                                    "toda",
                                    "robertson",
                                    "hires",
-                                   "oregonator"};
+                                   "oregonator",
+                                   "pollu",
+                                   "ring_modulator",
+                                   "brusselator_1d",
+                                   "plate",
+                                   "cusp"};
     for (const char group : std::string("abcde")) {
         for (const char which : std::string("12345")) {
             names.push_back(std::string("detest_") + group + which);
+        }
+    }
+    for (const std::string group : {"a4", "b5", "c5", "d6", "e5", "f5"}) {
+        for (char which = '1'; which <= group[1]; ++which) {
+            names.push_back(std::string("stiff_") + group[0] + which);
         }
     }
     CHECK(catalogue().size() == names.size());

@@ -7,7 +7,7 @@
 
 namespace libration {
 
-/// problems/NAME.ode.
+/// problems/NAME.ode or, of a stiff problem, problems/stiff/NAME.ode.
 struct catalogue_entry {
     std::string_view name;
     std::string_view text;

@@ -7,6 +7,7 @@
 #include "libration/ode/parse.hpp"
 #include "libration/ode/proved/proved_trajectory.hpp"
 #include "libration/ode/rigorous/growth.hpp"
+#include "libration/ode/rigorous/tube_proof.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
@@ -145,6 +146,29 @@ TEST_CASE("affine radii have to grow fast enough at both ends", "[ode][proved]")
     const auto found = affine_growth(system, {magnitude(1U)}, 1);
     REQUIRE(found);
     CHECK(satisfies(system, *found, 1));
+}
+
+// The tube around the solution of a neighbouring equation: its defect has a constant sign, so that the radii cannot be
+// smaller than the distance of both solutions. The curves x = (1 + e) t and y = e/1024 solve the equations with e added
+// to both; at t = 1 they are e and e/1024 away from x = t and y = 0, by growth and by the balance of defect and decay.
+TEST_CASE("the bound of a defect of constant sign is sharp", "[ode][proved]") {
+    const precision_scope scope(60);
+    const auto form = lifted(explicit_system(parse("x' = 1; y' = -1024*y; x(0) = 0; y(0) = 0")));
+    const polynomial_map map(form);
+    const ball e = pow(ball(2), -60L);
+    const ball half = (ball(1) + e) * pow(ball(2), -1L);
+    const std::vector<ball_polynomial> unit{{ball(1)}, {}, {}, {ball(1)}};
+    const tube_candidate neighbour{
+        {ball(0), ball(1)}, {0, 0}, {{half, half}, {e * pow(ball(2), -10L)}}, {unit, unit, {1, 1}, 1}};
+    const tube_set start{{ball(0), ball(0)}, {}, {}, {}, {magnitude(), magnitude()}, 0};
+    const auto tube = tube_proof(map, 200, 200).tube(neighbour, start);
+    REQUIRE(tube);
+    const auto last = tube->values_at(ball(1));
+    CHECK(arb_contains_si(last[0].handle(), 1) != 0);
+    CHECK(contains_zero(last[1]));
+    // Bounds are rounded up in every operation, to 30 bits.
+    CHECK(certainly_less(radius_of(last[0]) * ball(9), e * ball(10)));
+    CHECK(certainly_less(radius_of(last[1]) * ball(9), e * pow(ball(2), -10L) * ball(10)));
 }
 
 TEST_CASE("collocation is left alone where it is of no use", "[ode][proved]") {
