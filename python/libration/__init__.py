@@ -7,12 +7,13 @@
 
 Numbers are exact as they are written: texts, int, Fraction, Decimal, numbers of mpmath and SymPy. A float is refused
 where it would stand for a number that a person meant. Results are Balls: digits, a bound of what they miss, and what
-stands behind that. Errors are LibrationError: ArgumentError (a ValueError), UndecidedError, RangeError, Fault.
+stands behind that. Errors are LibrationError: UndefinedError (ArgumentError, a ValueError, and RangeError), UnableError
+(UndecidedError), Fault.
 """
 
 from . import _libration
 from .ball import Ball, ball
-from .errors import ArgumentError, Fault, LibrationError, RangeError, UndecidedError
+from .errors import ArgumentError, Fault, LibrationError, RangeError, UnableError, UndecidedError, UndefinedError
 from .motions import Motion, Samples, motion
 from .problems import Problem, Radius, Singularities, catalogue, problem, radius
 from .studies import Study, study
@@ -36,7 +37,9 @@ __all__ = [
     "Singularities",
     "Study",
     "Table",
+    "UnableError",
     "UndecidedError",
+    "UndefinedError",
     "Verdicts",
     "ball",
     "catalogue",
