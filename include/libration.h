@@ -31,12 +31,13 @@
 extern "C" {
 #endif
 
-/* Codes. */
+/* Codes. 1 and 2: undefined, the question has no answer as it is asked. 3: unable, an answer was not decided or not
+ * computed within the limits. */
 enum {
     LIBRATION_OK = 0,
     LIBRATION_ARGUMENT = 1,  /* malformed, NULL, or outside the domain: give another value */
     LIBRATION_RANGE = 2,     /* beyond the range of the requested type, or the buffer is too small */
-    LIBRATION_UNDECIDED = 3, /* not decided at any precision within the limits; the value itself is valid */
+    LIBRATION_UNDECIDED = 3, /* no precision, proof or method within the limits decides; the value itself is valid */
     LIBRATION_CANCELLED = 4, /* cancelled by the progress callback */
     LIBRATION_NO_MEMORY = 5, /* or less than required, as reported in the message: request less */
     LIBRATION_FAULT = 6 /* a bug in this library or in one that it uses */

@@ -10,12 +10,12 @@
 Numbers are exact as they are written: texts, int, Fraction, Decimal, numbers of mpmath and SymPy. A float is refused
 where it would stand for a number that a person meant, and is data in radius(), trajectory(), odefun() and solve_ivp().
 Results are Balls: digits, a bound of their error, and their rigour: 'proved', 'two-method' or 'heuristic'. Errors are
-LibrationError: ArgumentError (a ValueError), UndecidedError, RangeError, Fault.
+LibrationError: UndefinedError (ArgumentError, a ValueError, and RangeError), UnableError (UndecidedError), Fault.
 """
 
 from . import _libration
 from .ball import Ball, ball
-from .errors import ArgumentError, Fault, LibrationError, RangeError, UndecidedError
+from .errors import ArgumentError, Fault, LibrationError, RangeError, UnableError, UndecidedError, UndefinedError
 from .ivp import OdeResult, OdeSolution, solve_ivp
 from .motions import Motion, Samples, motion
 from .odefun import OdeFunction, odefun
@@ -47,7 +47,9 @@ __all__ = [
     "Study",
     "Table",
     "Trajectory",
+    "UnableError",
     "UndecidedError",
+    "UndefinedError",
     "Verdicts",
     "ball",
     "catalogue",

@@ -18,16 +18,24 @@ class LibrationError(Exception):
         self.reason = reason
 
 
-class ArgumentError(LibrationError, ValueError):
+class UndefinedError(LibrationError):
+    """The question has no answer as it is asked."""
+
+
+class UnableError(LibrationError):
+    """An answer was not decided or not computed within the limits."""
+
+
+class ArgumentError(UndefinedError, ValueError):
     """Malformed or outside the domain: give another value."""
 
 
-class RangeError(LibrationError, OverflowError):
+class RangeError(UndefinedError, OverflowError):
     """Beyond the range of the type that was asked for."""
 
 
-class UndecidedError(LibrationError, ArithmeticError):
-    """No precision within the limits decides; nothing is wrong with the value.
+class UndecidedError(UnableError, ArithmeticError):
+    """No precision, proof or method within the limits decides; nothing is wrong with the value.
 
     partial: what is proved all the same, of the type that the call would have returned, or None where the call has no
     parts. In it a value that is not distinguished from 0 is the Ball 0 with the bound of its size as uncertainty, and

@@ -99,3 +99,13 @@ def test_errors_name_what_is_wrong():
         lb.motion(theta0=3, energy="1/2")
     with pytest.raises(ValueError):
         lb.motion(energy=1).theta(1, rigour="sure")
+
+
+def test_undefined_and_unable_are_kept_apart():
+    with pytest.raises(lb.UndefinedError) as undefined:
+        lb.motion(energy="-1")
+    with pytest.raises(lb.UnableError) as unable:
+        lb.problem("x' = 1 + x^2; x(0) = 0").reference(2, digits=5)
+    assert not isinstance(undefined.value, lb.UnableError)
+    assert not isinstance(unable.value, lb.UndefinedError)
+    assert issubclass(lb.RangeError, lb.UndefinedError)

@@ -132,11 +132,10 @@ int run(const libration::subcommand& command) {
     } catch (const libration::input_error& problem) {
         return complain_of_input(problem);
     } catch (const libration::error& problem) {
-        switch (problem.kind()) {
-            case libration::error_kind::undecided: return complain(libration::message_of(problem), failed);
-            case libration::error_kind::range: return complain_of_range(*command.options, problem);
-            default: return complain(libration::message_of(problem), bad_input);
-        }
+        return problem.kind() == libration::error_kind::range
+                   ? complain_of_range(*command.options, problem)
+                   : complain(libration::message_of(problem),
+                              libration::is_undefined(problem.kind()) ? bad_input : failed);
     } catch (const libration::memory_shortage& problem) {
         return complain(problem.what(), failed);
     } catch (const std::bad_alloc&) {

@@ -65,7 +65,7 @@ ARGUED = {
     (EVENTS, "if (parts_.empty()) {"): "the zero of joined pieces is on one of them: it says a mistake of the library",
     (ODE + "ball/start_sign.cpp", "for (std::size_t k = 0; k < form.leaves.size(); ++k) {"):
         "every unknown of a condition is a leaf of the system",
-    (ODE + "proved/frame.cpp", "if (!(norm <= magnitude(1U) / 4U)) {"):
+    (ODE + "rigorous/error_set.cpp", "if (!(norm <= magnitude(1U) / 4U)) {"):
         "columns are orthogonal to the last of 64 bits; kept, because the bound of the inverse rests on it",
     (SHOOTING, "if (difference == 0) {"): "steers the guess, proves nothing: two values that differ have missed differently",
     (SHOOTING, "if (mpfr_number_p(handle(value)) == 0) {"):

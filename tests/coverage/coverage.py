@@ -41,7 +41,7 @@ TESTS = """
     pendulum/taylor/lattice_coefficients_test.cpp pendulum/taylor/singularity_view_test.cpp
     pendulum/arc/bounds_test.cpp pendulum/arc/uniform_remainder_test.cpp
     ode/lifted_system_test.cpp ode/proved/complex_disc_test.cpp ode/proved/condition_numbers_test.cpp
-    ode/proved/frame_test.cpp ode/proved/proved_events_test.cpp
+    ode/proved/error_set_test.cpp ode/proved/proved_events_test.cpp
     ode/proved/event_laws_test.cpp ode/proved/lifted_collocation_test.cpp ode/proved/lifted_set_test.cpp
     ode/proved/proof_route_test.cpp ode/proved/proved_march_test.cpp ode/proved/proved_root_test.cpp
     ode/proved/radius_bounds_test.cpp ode/proved/scale_test.cpp ode/proved/singular_step_test.cpp

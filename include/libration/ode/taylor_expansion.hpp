@@ -9,13 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "libration/ode/constant_value.hpp"
-#include "libration/ode/function_value.hpp"
 #include "libration/ode/placed_steps.hpp"
-#include "libration/ode/tape.hpp"
+#include "libration/ode/step_arrays.hpp"
 #include "libration/series/arithmetic.hpp"
-#include "libration/series/blocked_sums.hpp"
-#include "libration/series/kernel.hpp"
 
 namespace libration::ode {
 
@@ -64,60 +60,31 @@ public:
     solution_state<R> at(const R& distance) const;
 
 private:
-    R* array(int step) { return arrays_.data() + static_cast<std::size_t>(step) * length_; }
-    const R* array(int step) const { return arrays_.data() + static_cast<std::size_t>(step) * length_; }
-    series::progression degrees_of(int step) const {
-        const int residue = tape_->steps()[static_cast<std::size_t>(step)].residue;
-        return {stride_, residue < 0 ? 0 : residue};
-    }
-    bool due(const tape_step& step, int n) const;
+    R* array(int step) { return arrays_.array(step); }
+    const R* array(int step) const { return arrays_.array(step); }
 
     void run_placed(int steps_until) requires std::floating_point<R>;
-    void clear();
     void run();
     void run_singular();
     void set_newest(int unknown, int n, const R& value);
     R solved(int unknown, int n) const;
-    void step(int index, int at);
-    R multiple(const tape_step& s, const R& a) const;
-    void linear_step(const tape_step& s, int index, int n);
-    void function_step(const tape_step& s, int index, int n);
-    void set_centre(const tape_step& s, int index);
-    template <class F>
-    void set_kept(const tape_step& s, int index);
-    void own_step(const tape_step& s, int index, int n);
-    R centre(const tape_step& s) const;
 
     const tape* tape_;
     int order_;
-    int stride_ = 1;  // of the tape about the initial point, 1 elsewhere
-    bool exact_ = false;
-    std::size_t length_;
-    std::vector<R> constants_;
+    step_arrays<R> arrays_;
     std::vector<std::vector<std::vector<R>>> weights_;
     std::vector<std::vector<int>> states_;  // steps of the derivatives of each unknown
-    std::vector<R> arrays_;
-    series::blocked_sums<R> sums_;
-    placed_steps<R> placed_;  // in hardware scalars, about any point except the initial one
-    R point_ = R(0);
+    placed_steps<R> placed_;                // in hardware scalars, about any point except the initial one
 };
 
 template <field R>
 taylor_expansion<R>::taylor_expansion(const tape& of, int order, const series::block_product<R>* fast)
-    : tape_(&of), order_(order), sums_(fast, order) {
-    if (order < 0) {
-        throw error(error_kind::argument, "order", std::to_string(order), "of a series is negative");
-    }
-    int highest = 0;
+    : tape_(&of), order_(order), arrays_(of, order, fast) {
     for (const int q : of.orders()) {
-        highest = std::max(highest, q);
         states_.emplace_back(static_cast<std::size_t>(q), -1);
     }
     for (const tape_state& each : of.states()) {
         states_[static_cast<std::size_t>(each.unknown)][static_cast<std::size_t>(each.derivative)] = each.step;
-    }
-    for (const number& each : of.constants()) {
-        constants_.push_back(constant_value<R>::of(each));
     }
     for (const auto& right : of.weights()) {
         auto& rows = weights_.emplace_back();
@@ -128,26 +95,11 @@ taylor_expansion<R>::taylor_expansion(const tape& of, int order, const series::b
             }
         }
     }
-    length_ = static_cast<std::size_t>(order) + static_cast<std::size_t>(highest) + 1;
-    arrays_.assign(of.steps().size() * length_, R(0));
-}
-
-// Removes remainders of an expansion about another point if a symmetry skips coefficients.
-template <field R>
-void taylor_expansion<R>::clear() {
-    const R zero(0);
-    for (R& each : arrays_) {
-        each = zero;
-    }
 }
 
 template <field R>
 void taylor_expansion<R>::about_start() {
-    clear();
-    sums_.restart();
-    stride_ = tape_->stride();
-    exact_ = true;
-    point_ = constant_value<R>::of(tape_->point());
+    arrays_.begin_at_start();
     if (tape_->is_singular()) {
         run_singular();
         return;
@@ -162,13 +114,7 @@ void taylor_expansion<R>::about_start() {
 
 template <field R>
 void taylor_expansion<R>::about(const R& point, const solution_state<R>& state) {
-    if (stride_ != 1) {
-        clear();
-    }
-    sums_.restart();
-    stride_ = 1;
-    exact_ = false;
-    point_ = point;
+    arrays_.begin_at(point);
     for (std::size_t i = 0; i < states_.size(); ++i) {
         for (std::size_t j = 0; j < states_[i].size(); ++j) {
             array(states_[i][j])[0] = state[i][j];
@@ -178,25 +124,13 @@ void taylor_expansion<R>::about(const R& point, const solution_state<R>& state) 
 }
 
 template <field R>
-bool taylor_expansion<R>::due(const tape_step& step, int n) const {
-    if (stride_ == 1) {
-        return !exact_ || step.residue >= 0 || (is_function(step.kind) && step.kind != operation::square_root);
-    }
-    if (step.kind == operation::slope) {
-        --n;  // lags by one degree
-    }
-    const bool pair = step.odd;  // is computed together with an even one
-    return (step.residue >= 0 && n % stride_ == step.residue) || (pair && n % stride_ == 0);
-}
-
-template <field R>
 void taylor_expansion<R>::run() {
-    int lowest = static_cast<int>(length_);
+    int lowest = static_cast<int>(arrays_.length());
     for (const int q : tape_->orders()) {
         lowest = std::min(lowest, q);
     }
     if constexpr (std::is_floating_point_v<R>) {
-        if (stride_ == 1 && !exact_) {
+        if (!arrays_.about_start()) {
             run_placed(order_ - lowest);
             return;
         }
@@ -204,13 +138,13 @@ void taylor_expansion<R>::run() {
     const int count = static_cast<int>(tape_->steps().size());
     for (int n = 0; n < order_; ++n) {
         for (int i = 0; i < count && n + lowest <= order_; ++i) {
-            step(i, n);
+            arrays_.compute(i, n);
         }
         for (std::size_t i = 0; i < states_.size(); ++i) {
             const R* above = array(tape_->outputs()[i]);
             for (std::size_t j = states_[i].size(); j-- > 0;) {
                 R* const here = array(states_[i][j]);
-                if (stride_ == 1 || degrees_of(states_[i][j]).holds(n + 1)) {
+                if (arrays_.degrees_of(states_[i][j]).holds(n + 1)) {
                     here[n + 1] = n == 0 ? above[n] : R(above[n] / (n + 1));
                 }
                 above = here;
@@ -222,11 +156,11 @@ void taylor_expansion<R>::run() {
 template <field R>
 void taylor_expansion<R>::run_placed(int steps_until) requires std::floating_point<R> {
     if (placed_.empty()) {
-        placed_ = placed_steps<R>(*tape_, arrays_.data(), length_, constants_, states_);
+        placed_ = placed_steps<R>(*tape_, arrays_.array(0), arrays_.length(), arrays_.constants(), states_);
     }
     for (int n = 0; n < order_; ++n) {
         if (n <= steps_until) {
-            placed_.run(n, [&](int index) { step(index, n); });
+            placed_.run(n, [&](int index) { arrays_.compute(index, n); });
         }
         placed_.advance(n);
     }
@@ -286,7 +220,7 @@ void taylor_expansion<R>::run_singular() {
             set_newest(k, n, value);
         }
         for (int i = 0; i < count; ++i) {
-            step(i, n);
+            arrays_.compute(i, n);
         }
         for (int k = 0; k < unknowns; ++k) {
             if (!given[static_cast<std::size_t>(k)]) {
@@ -295,179 +229,9 @@ void taylor_expansion<R>::run_singular() {
         }
         for (int i = 0; i < count; ++i) {
             if (tape_->steps()[static_cast<std::size_t>(i)].newest) {
-                step(i, n);
+                arrays_.compute(i, n);
             }
         }
-    }
-}
-
-template <field R>
-void taylor_expansion<R>::step(int index, int at) {
-    const tape_step& s = tape_->steps()[static_cast<std::size_t>(index)];
-    const int n = at - s.lag;
-    if (n < 0 || s.kind == operation::state || s.kind == operation::companion || !due(s, n)) {
-        return;
-    }
-    if (is_linear(s.kind)) {
-        linear_step(s, index, n);
-    } else {
-        function_step(s, index, n);
-    }
-}
-
-template <field R>
-void taylor_expansion<R>::linear_step(const tape_step& s, int index, int n) {
-    R& result = array(index)[n];
-    const R* const a = s.left < 0 ? nullptr : array(s.left);
-    const R* const b = s.right < 0 ? nullptr : array(s.right);
-    switch (s.kind) {
-        case operation::constant:
-            if (n == 0) {
-                result = constants_[static_cast<std::size_t>(s.constant)];
-            }
-            return;
-        case operation::variable:
-            if (n == (tape_->is_singular() ? tape_->root() : 1)) {
-                result = R(1);
-            } else if (n == 0 && !tape_->is_singular()) {
-                result = point_;
-            }
-            return;
-        case operation::sum: result = R(a[n] + b[n]); return;
-        case operation::difference: result = R(a[n] - b[n]); return;
-        case operation::raised:
-            result = n == 0 ? R(a[n] + constants_[static_cast<std::size_t>(s.constant)]) : a[n];
-            return;
-        case operation::by_variable: result = n == 0 ? R(point_ * a[0]) : R(point_ * a[n] + a[n - 1]); return;
-        case operation::delayed: result = n < s.shift ? R(0) : a[n - s.shift]; return;
-        case operation::scaled: result = multiple(s, a[n]); return;
-        case operation::state:
-        case operation::product:
-        case operation::square:
-        case operation::quotient:
-        case operation::slope:
-        case operation::square_root:
-        case operation::power:
-        case operation::function:
-        case operation::primitive:
-        case operation::companion: return;
-    }
-}
-
-template <field R>
-R taylor_expansion<R>::multiple(const tape_step& s, const R& a) const {
-    if (s.constant >= 0) {
-        return R(a * constants_[static_cast<std::size_t>(s.constant)]);
-    }
-    const R result = s.numerator == 1 ? a : s.numerator == -1 ? R(-a) : R(a * s.numerator);
-    return s.denominator == 1 ? result : R(result / s.denominator);
-}
-
-// f(x_0), or the exact value at the initial point.
-template <field R>
-R taylor_expansion<R>::centre(const tape_step& s) const {
-    if (exact_ && s.centre) {
-        return constant_value<R>::of(*s.centre);
-    }
-    const rational order = s.kind == operation::primitive && s.constant >= 0
-                               ? tape_->constants()[static_cast<std::size_t>(s.constant)].fraction().value()
-                               : rational(0);
-    return function_value<R>(s.function, array(s.left)[0], &order);
-}
-
-// The values that are specific to the functions themselves.
-template <field R>
-void taylor_expansion<R>::set_centre(const tape_step& s, int index) {
-    R& value = array(index)[0];
-    if (s.kind == operation::power) {
-        value = exact_ && s.centre ? constant_value<R>::of(*s.centre)
-                                   : power_value<R>(array(s.left)[0], constants_[static_cast<std::size_t>(s.constant)]);
-        return;
-    }
-    value = centre(s);
-    if (s.kind == operation::square_root) {
-        array(index + 1)[0] = R(value * 2);
-    } else if (s.kind == operation::function) {
-        function::with_function(s.function, [&](auto of) {
-            using each = decltype(of);
-            if constexpr (requires { each::values_kept; }) {
-                set_kept<each>(s, index);
-            }
-        });
-    }
-}
-
-// The values of the companions that the recurrence of a function needs.
-template <field R>
-template <class F>
-void taylor_expansion<R>::set_kept(const tape_step& s, int index) {
-    const auto call = [](function_kind f, const R& x) { return function_value<R>(f, x); };
-    for (int i = 0; i < F::values_kept; ++i) {
-        const auto& exact = tape_->steps()[static_cast<std::size_t>(index + 1 + i)].centre;
-        array(index + 1 + i)[0] =
-            exact_ && exact ? constant_value<R>::of(*exact) : F::first_kept(i, array(s.left)[0], call);
-    }
-}
-
-template <field R>
-void taylor_expansion<R>::own_step(const tape_step& s, int index, int n) {
-    function::with_function(s.function, [&](auto of) {
-        using each = decltype(of);
-        if constexpr (requires { each::kept; }) {
-            function::series_arrays<R> arrays{array(s.left),
-                                              array(s.right),
-                                              array(index),
-                                              {},
-                                              degrees_of(s.left),
-                                              degrees_of(s.right),
-                                              series::progression(stride_, 0)};
-            for (int i = 0; i < each::kept; ++i) {
-                arrays.kept[static_cast<std::size_t>(i)] = array(index + 1 + i);
-            }
-            each::next_coefficient(arrays, n, sums_);
-        }
-    });
-}
-
-template <field R>
-void taylor_expansion<R>::function_step(const tape_step& s, int index, int n) {
-    using namespace series;
-    if (n == 0 && is_function(s.kind)) {
-        set_centre(s, index);
-    }
-    R* const result = array(index);
-    const R* const a = array(s.left);
-    const R* const b = s.right < 0 ? nullptr : array(s.right);
-    const progression of_a = degrees_of(s.left);
-    const progression of_slope = s.right < 0 ? of_a : degrees_of(s.right);
-    const progression even(stride_, 0);
-    switch (s.kind) {
-        case operation::product: product_kernel(a, b, result, n, of_a, sums_); return;
-        case operation::square: square_kernel(a, result, n, of_a, sums_); return;
-        case operation::quotient: quotient_kernel(a, b, result, n, even, sums_); return;
-        case operation::slope: slope_kernel(a, result, n); return;
-        case operation::square_root: square_root_kernel(a, array(index + 1)[0], result, n, even, sums_); return;
-        case operation::power: {
-            const R& r = constants_[static_cast<std::size_t>(s.constant)];
-            power_kernel(a, b, r, array(index + 1), result, n, even, sums_);
-            return;
-        }
-        case operation::function: own_step(s, index, n); return;
-        case operation::primitive:
-            if (n > 0) {  // n w_n = sum_{k=1}^{n} k u_k f'(u)_{n-k}
-                result[n] = R(sums_.product(b, array(s.derivative), n - 1, of_slope) / n);
-            }
-            return;
-        case operation::constant:
-        case operation::variable:
-        case operation::state:
-        case operation::sum:
-        case operation::difference:
-        case operation::scaled:
-        case operation::raised:
-        case operation::by_variable:
-        case operation::delayed:
-        case operation::companion: return;
     }
 }
 

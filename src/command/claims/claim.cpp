@@ -13,16 +13,17 @@ std::string name_of(verdict v) {
     switch (v) {
         case verdict::holds: return "holds";
         case verdict::corrected: return "holds with correction";
-        default: return "fails";
+        case verdict::fails: break;
     }
+    return "fails";
 }
 
 std::vector<claim> all_claims() {
     std::vector<claim> all;
-    for (const auto& part :
-         {claims_of_background, claims_of_exact_period, claims_of_closed_solutions, claims_of_series,
-          claims_of_singularities, claims_of_extension, claims_of_resummation, claims_of_resummation_errors,
-          claims_of_period, claims_of_conclusions, claims_of_appendix, claims_of_libration}) {
+    for (const auto& part : {claims_of_background, claims_of_exact_period, claims_of_closed_solutions, claims_of_series,
+                             claims_of_singularities, claims_of_singularities_of_rotation, claims_of_extension,
+                             claims_of_resummation, claims_of_resummation_errors, claims_of_period,
+                             claims_of_conclusions, claims_of_appendix, claims_of_libration}) {
         auto more = part();
         all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
     }

@@ -45,18 +45,19 @@ struct claim {
 std::vector<claim> all_claims();
 
 /// The claims of each part of the paper.
-std::vector<claim> claims_of_background();          ///< abstract, sections I and II
-std::vector<claim> claims_of_exact_period();        ///< section II, the period and the symmetries
-std::vector<claim> claims_of_closed_solutions();    ///< section II, the Jacobi functions
-std::vector<claim> claims_of_series();              ///< section III A, the coefficients
-std::vector<claim> claims_of_singularities();       ///< section III B, singularities and radii
-std::vector<claim> claims_of_extension();           ///< section III C, all times
-std::vector<claim> claims_of_resummation();         ///< section IV, the formulas
-std::vector<claim> claims_of_resummation_errors();  ///< section IV, the errors
-std::vector<claim> claims_of_period();              ///< section V
-std::vector<claim> claims_of_conclusions();         ///< section VI
-std::vector<claim> claims_of_appendix();            ///< the appendix
-std::vector<claim> claims_of_libration();           ///< the claims of this program, not of the paper
+std::vector<claim> claims_of_background();                 ///< abstract, sections I and II
+std::vector<claim> claims_of_exact_period();               ///< section II, the period and the symmetries
+std::vector<claim> claims_of_closed_solutions();           ///< section II, the Jacobi functions
+std::vector<claim> claims_of_series();                     ///< section III A, the coefficients
+std::vector<claim> claims_of_singularities();              ///< section III B, singularities and radii of libration
+std::vector<claim> claims_of_singularities_of_rotation();  ///< the same of rotation
+std::vector<claim> claims_of_extension();                  ///< section III C, all times
+std::vector<claim> claims_of_resummation();                ///< section IV, the formulas
+std::vector<claim> claims_of_resummation_errors();         ///< section IV, the errors
+std::vector<claim> claims_of_period();                     ///< section V
+std::vector<claim> claims_of_conclusions();                ///< section VI
+std::vector<claim> claims_of_appendix();                   ///< the appendix
+std::vector<claim> claims_of_libration();                  ///< the claims of this program, not of the paper
 
 /// Whether a label is that of a claim of this program's own: "libration: ...".
 bool is_own(const std::string& label);

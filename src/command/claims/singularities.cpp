@@ -1,12 +1,9 @@
-// Claims of section III B: the singularities of theta(t), their type, and the resulting radius about the top and the
+// Claims of section III B: the singularities of libration, their type, and the resulting radius about the top and the
 // bottom.
 #include <algorithm>
-#include <initializer_list>
 #include <tuple>
 
-#include "claims/judging.hpp"
-#include "libration/convergence/test/pole_pair.hpp"
-#include "libration/pendulum/arc/resummation.hpp"
+#include "claims/lattice_checks.hpp"
 
 namespace libration {
 
@@ -17,48 +14,6 @@ using namespace pendulum;
 namespace {
 
 using namespace judging;
-
-// The increments of theta and omega along a square path once around a point of the complex t-plane, of half the given
-// side, reached along the real axis and then straight up or down.
-struct circuit {
-    complex_number<mpfr> theta;
-    complex_number<mpfr> omega;
-};
-
-circuit around(const jet<mpfr>& start, const complex_number<mpfr>& centre, const mpfr& half) {
-    // Counterclockwise, starting at the side that faces the real axis: the path to it must not meet the point itself.
-    const mpfr side = centre.im < 0 ? mpfr(-half) : half;
-    flow<mpfr> along(start.value, start.slope);
-    along.advance_to(centre.re);
-    const mpfr near = centre.im - side;
-    const mpfr far = centre.im + side;
-    const flow_state<mpfr> before = along.advance_to(centre.re, near);
-    along.advance_to(centre.re + side, near);
-    along.advance_to(centre.re + side, far);
-    along.advance_to(centre.re - side, far);
-    along.advance_to(centre.re - side, near);
-    const flow_state<mpfr>& after = along.advance_to(centre.re, near);
-    return {after.theta - before.theta, after.omega - before.omega};
-}
-
-// The deviation of a circuit from that of a logarithm 2i sign log(t - centre): theta increases by -4 pi sign, omega by
-// 0.
-mpfr distance_from_logarithm(const circuit& c, int sign) {
-    const complex_number<mpfr> expected{mpfr(pi<mpfr>() * (-4 * sign)), mpfr(0)};
-    return std::max(modulus_of(c.theta - expected), modulus_of(c.omega));
-}
-
-struct lattice_steps {
-    mpfr along;  // T*
-    mpfr up;     // K~'
-};
-
-lattice_steps lattice_of(const char* energy) {
-    const energy_level<mpfr> o = energy_level_of<mpfr>(of_energy(energy));
-    return {effective_period(o), singularity_height(o)};
-}
-
-jet<mpfr> bottom_of(const char* energy) { return {mpfr(0), mpfr(sqrt(number(energy) * 2))}; }
 
 claim separatrix_radius() {
     return {
@@ -107,30 +62,6 @@ claim libration_singularities() {
             }};
 }
 
-claim rotation_singularities() {
-    return {"rotation_singularities",
-            "rotatingpoles",
-            "Above E = 2, from the bottom, theta is singular at even multiples of T* plus odd multiples of i K~'.",
-            "largest distance of the circuits around i K~', -i K~', 2T* + i K~' from those of +-2i log, and of the one "
-            "around T* + i K~' from none, E = 2.02, 8",
-            "",
-            "./run trajectory --energy 8 --theta0 0 --times T/2",
-            [] {
-                mpfr largest(0);
-                for (const char* energy : {"2.02", "8"}) {
-                    const auto [along, up] = lattice_of(energy);
-                    const auto start = bottom_of(energy);
-                    const mpfr half = std::min(along, up) / 2;
-                    for (const auto& [right, above, sign] : {std::tuple{0, 1, -1}, {0, -1, 1}, {2, 1, -1}}) {
-                        const auto c = around(start, {along * right, up * above}, half);
-                        largest = std::max(largest, distance_from_logarithm(c, sign));
-                    }
-                    largest = std::max(largest, modulus_of(around(start, {along, up}, half).theta));
-                }
-                return by_error(largest);
-            }};
-}
-
 claim arcsine_makes_logarithms() {
     return {
         "arcsine_makes_logarithms",
@@ -154,40 +85,12 @@ claim arcsine_makes_logarithms() {
         }};
 }
 
-// R/T* from the top, from four coefficients alone.
-mpfr top_radius(const char* energy, int order = 600) {
-    const auto arc = arc_of<mpfr>(of_energy(energy));
-    const auto a = arc_series(arc, order, recurrence::sine_cosine);
-    const int first = order - 8 + (number(energy) > 2 ? 1 : 0);
-    return pole_pair_radius(a, first, 2);
-}
-
-// R/T* from the bottom, from a_397 and a_399 alone.
-mpfr bottom_radius(const char* energy, const mpfr& theta0 = mpfr(0)) {
-    const auto a = printed_series({theta0, bottom_of(energy).slope}, 399, effective_period_of(energy));
-    return single_pole_radius(a, 397, 2);
-}
-
 // R/T* at the time x T* after the top, 0 < x < 1, from the coefficients 297 to 300 alone.
 mpfr radius_between(const char* energy, const mpfr& x) {
     const mpfr duration = effective_period_of(energy);
     const auto top = top_of(number(energy));
     const auto a = printed_series(by_flow(top.value, top.slope, x * duration), 300, duration);
     return pole_pair_radius(a, 297, 1);
-}
-
-// sqrt(x^2 + (K~'/T*)^2): the distance, in T*, of a singularity x T* ahead.
-mpfr lattice_distance(const char* energy, const mpfr& x) {
-    const auto [along, up] = lattice_of(energy);
-    return sqrt(x * x + up * up / (along * along));
-}
-
-finding radius_formula(std::initializer_list<const char*> energies) {
-    mpfr largest(0);
-    for (const char* energy : energies) {
-        largest = std::max(largest, mpfr(abs(top_radius(energy) / lattice_distance(energy, mpfr(1)) - 1)));
-    }
-    return by_error(largest);
 }
 
 claim libration_radius() {
@@ -201,18 +104,6 @@ claim libration_radius() {
         [] {
             return radius_formula({"0.5", "1", "1.71", "1.9998"});
         }};
-}
-
-claim rotation_radius() {
-    return {"rotation_radius",
-            "rotationROCgood",
-            "From the top of rotation the radius of convergence is sqrt(T*^2 + K~'^2).",
-            "largest relative difference of the radius from four coefficients, n = 593 .. 599, E = 2.02, 2.5, 4, 8",
-            "",
-            "./run coefficients --energy 2.02 --order 20",
-            [] {
-                return radius_formula({"2.02", "2.5", "4", "8"});
-            }};
 }
 
 claim nearest_singularity() {
@@ -345,55 +236,6 @@ claim one_figure_for_libration() {
         }};
 }
 
-claim bottom_radius_of_rotation() {
-    return {"bottom_radius_of_rotation",
-            "fig:supercrit, text",
-            "Expanded at the bottom, the series of every rotation diverges before T*: one figure serves all E > 2.",
-            "R/T* from a_397 and a_399 about the bottom, E = 8",
-            "Only for 2 < E < 4, as footnote 7 says itself. At E = 8 R = K~' = 1.08 and T* = 0.843.",
-            "./run coefficients --energy 8 --at bottom --order 20",
-            [] {
-                const mpfr ratio = bottom_radius("8");
-                return by_tests(ratio < 1, bottom_radius("3.9") < 1 && bottom_radius("4.1") > 1, ratio);
-            }};
-}
-
-claim bottom_radius_footnote() {
-    return {"bottom_radius_footnote",
-            "sec:sing, footnote 7",
-            "For rotation the radius about the bottom is K~', and it exceeds T* only for E > 4.",
-            "largest of |R/K~' - 1| at E = 2.02, 3.9, 4.1, 8 and |R/T* - 1| at E = 4, R from a_397 and a_399",
-            "",
-            "./run period --energy 4 --digits 20",
-            [] {
-                mpfr largest = abs(bottom_radius("4") - 1);
-                for (const char* energy : {"2.02", "3.9", "4.1", "8"}) {
-                    const mpfr ratio = bottom_radius(energy) / lattice_distance(energy, mpfr(0));
-                    largest = std::max(largest, mpfr(abs(ratio - 1)));
-                }
-                const bool sides = bottom_radius("3.9") < 1 && bottom_radius("4.1") > 1;
-                return by_test(sides && largest < negligible(), largest);
-            }};
-}
-
-claim bottoms_are_alike() {
-    return {"bottoms_are_alike",
-            "fig:supercrit, text",
-            "Every passage of a rotation through the bottom, theta0 = 2 pi n, has the same radius.",
-            "largest |R(2 pi n)/R(0) - 1|, n = 1, -1, 3, E = 2.02, R from a_397 and a_399",
-            "",
-            "./run coefficients --theta0 2pi --omega0 2.01 --order 9",
-            [] {
-                const mpfr first = bottom_radius("2.02");
-                mpfr largest(0);
-                for (const int turns : {1, -1, 3}) {
-                    const mpfr ratio = bottom_radius("2.02", pi<mpfr>() * (2 * turns)) / first;
-                    largest = std::max(largest, mpfr(abs(ratio - 1)));
-                }
-                return by_error(largest);
-            }};
-}
-
 claim top_has_the_largest_radius() {
     return {"top_has_the_largest_radius",
             "fig:subcrit, fig:supercrit",
@@ -463,24 +305,11 @@ claim ratio_test_estimates_radius() {
 }  // namespace
 
 std::vector<claim> claims_of_singularities() {
-    return {separatrix_radius(),
-            ratio_test_estimates_radius(),
-            arcsine_makes_logarithms(),
-            libration_singularities(),
-            one_figure_for_libration(),
-            nearest_singularity(),
-            libration_radius(),
-            radius_exceeds_effective_period(),
-            unaffected_by_singularities(),
-            top_has_the_largest_radius(),
-            top_is_the_best_point(),
-            bottom_radius_of_libration(),
-            radius_falls_to_the_bottom(),
-            rotation_singularities(),
-            bottom_radius_of_rotation(),
-            bottom_radius_footnote(),
-            bottoms_are_alike(),
-            rotation_radius()};
+    return {separatrix_radius(),          ratio_test_estimates_radius(),     arcsine_makes_logarithms(),
+            libration_singularities(),    one_figure_for_libration(),        nearest_singularity(),
+            libration_radius(),           radius_exceeds_effective_period(), unaffected_by_singularities(),
+            top_has_the_largest_radius(), top_is_the_best_point(),           bottom_radius_of_libration(),
+            radius_falls_to_the_bottom()};
 }
 
 }  // namespace libration

@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <mutex>
 #include <stdexcept>
 
 #include "libration/pendulum/energy/energy.hpp"
 #include "libration/pendulum/energy/period.hpp"
-#include "libration/pendulum/proved/proved_times.hpp"
 #include "libration/pendulum/time/dimensionless_time.hpp"
 #include "libration/problem/known/pendulum.hpp"
 #include "libration/scalar/text/decimal.hpp"
@@ -211,20 +209,6 @@ const std::optional<std::string>& motion_options::given(std::string_view option)
         throw std::logic_error("no option of a motion: " + std::string(option));
     }
     return *found->second;
-}
-
-std::vector<std::string> times_in_decimals(const motion& of, const std::vector<exact>& times, long digits) {
-    const auto needs_period = [](const exact& time) { return time.has_periods() && !time.is_zero(); };
-    std::vector<exact> with_period;
-    std::copy_if(times.begin(), times.end(), std::back_inserter(with_period), needs_period);
-    const auto proved = with_period.empty() ? std::vector<std::string>() : proved_times(of, with_period, digits);
-    auto next = proved.begin();
-    std::vector<std::string> decimals;
-    decimals.reserve(times.size());
-    for (const exact& time : times) {
-        decimals.push_back(needs_period(time) ? *next++ : decimal_of(time, digits));
-    }
-    return decimals;
 }
 
 std::optional<std::string> ending_decimal(const std::optional<exact>& number) {

@@ -60,9 +60,6 @@ std::string usual_point_of(const chosen_motion& chosen);
 /// The times of a motion in this regime: a list or a range, also multiples of T if it has a period.
 std::vector<exact> times_of(const std::string& value, pendulum::regime r);
 
-/// The times as decimals in the motion's unit: exact if they terminate, else to `digits` digits; multiples of T proved.
-std::vector<std::string> times_in_decimals(const pendulum::motion& of, const std::vector<exact>& times, long digits);
-
 /// A number as a decimal if that is exact; std::nullopt otherwise, and for std::nullopt.
 std::optional<std::string> ending_decimal(const std::optional<exact>& number);
 

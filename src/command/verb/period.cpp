@@ -1,21 +1,17 @@
 // libration period: T and T* of a motion, by the arithmetic-geometric mean or by a partial sum of the paper's series.
-#include "libration/pendulum/energy/period.hpp"
-
 #include <fmt/format.h>
 
 #include <memory>
 
-#include "libration/digits/proved/printed_values.hpp"
-#include "libration/scalar/text/decimal.hpp"
 #include "motion/motion_options.hpp"
+#include "motion/period_table.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {
 
-using namespace elliptic;
-using namespace pendulum;
+using pendulum::period_method;
 
 namespace {
 
@@ -26,18 +22,6 @@ struct period_options {
     std::string method = "agm";
     std::optional<std::string> order;
 };
-
-struct period_request {
-    chosen_motion chosen;
-    arithmetic numbers;
-    period_method method;
-    std::optional<int> order;
-};
-
-const std::vector<column> period_columns{{"energy", ""},    {"gap", ""},          {"method", ""},
-                                         {"order", ""},     {"period", ""},       {"tstar", ""},
-                                         {"error", ""},     {"regime", ""},       {"energy_typed", ""},
-                                         {"gap_typed", ""}, {"theta0_typed", ""}, {"omega0_typed", ""}};
 
 period_method read_period_method(const std::string& name) {
     if (name == "agm") {
@@ -71,72 +55,9 @@ period_request choose(const period_options& options) {
     return request;
 }
 
-// T and T* in the motion's units.
-template <class T>
-std::vector<wide_t<T>> period_values(const period_request& request) {
-    const motion& m = request.chosen.of;
-    const T seconds = time_unit<T>(m);
-    const T tstar = effective_period_by({request.method, request.order.value_or(0)}, energy_level_of<T>(m)) * seconds;
-    return {widen(T(tstar * quarters_per_period(m.regime()))), widen(tstar)};
-}
-
-struct energy_texts {
-    std::string energy;
-    std::string gap;
-};
-
-struct period_texts {
-    std::string period = "inf";
-    std::string tstar = "inf";
-    std::string error = "0";
-};
-
-// |T* as printed - true value|, the true value by the mean with more digits. It is nonzero: what is printed is
-// rational, and T* at an algebraic energy is not [Schneider].
-std::string error_of(const std::string& tstar, const period_request& request) {
-    const motion& m = request.chosen.of;
-    const auto difference = [&]<class T>() {
-        const precision_scope more(request.numbers.digits + working_digits());
-        const T truth = effective_period(energy_level_of<T>(m)) * time_unit<T>(m);
-        return std::vector<T>{abs(from_exact<T>(read_exact(tstar)) - truth)};
-    };
-    return printed_right(request.numbers.scalar, error_digits, difference).front().text;
-}
-
-period_texts texts_of(const period_request& request) {
-    const auto values =
-        printed(request.numbers.scalar, request.numbers.digits, [&]<class T>() { return period_values<T>(request); });
-    return {values[0].text, values[1].text, error_of(values[1].text, request)};
-}
-
-// Energy and gap as they were typed, or to this number of digits.
-energy_texts printed_energies(const chosen_motion& chosen, const arithmetic& numbers) {
-    if (chosen.energy && chosen.gap) {
-        return {*chosen.energy, *chosen.gap};
-    }
-    const auto pair = printed_right(numbers.scalar, numbers.digits, [&]<class T>() {
-        auto [energy, gap] = energies<T>(chosen.of);
-        return std::vector<T>{std::move(energy), std::move(gap)};
-    });
-    return {pair[0].text, pair[1].text};
-}
-
 int run_period(const period_options& options) {
     options.output.check();
-    const period_request request = choose(options);
-    const motion& m = request.chosen.of;
-    const energy_texts texts = printed_energies(request.chosen, request.numbers);
-    period_texts found;
-    if (!at_critical_energy(m.regime())) {
-        found = texts_of(request);
-    }
-    const std::string regime(name_of(m.regime()));
-    const std::string order = request.order ? std::to_string(*request.order) : "";
-    const chosen_motion& chosen = request.chosen;
-    const table data(period_columns,
-                     {{number_cell(texts.energy), number_cell(texts.gap), options.method, read_cell(order),
-                       number_cell(found.period), number_cell(found.tstar), number_cell(found.error), regime,
-                       chosen.energy_typed, chosen.gap_typed, chosen.theta0_typed, chosen.omega0_typed}});
+    const table data = period_table(choose(options));
     std::string text;
     for (std::size_t i = 0; i < data.columns().size(); ++i) {
         const std::string& name = data.columns()[i].name;

@@ -9,6 +9,7 @@
 #include "equation/integrator_options.hpp"
 #include "equation/problem_options.hpp"
 #include "equation/problem_trajectory.hpp"
+#include "libration/problem/known/pendulum_solution.hpp"
 #include "motion/motion_options.hpp"
 #include "motion/trajectory_points.hpp"
 #include "option/options.hpp"
@@ -21,8 +22,6 @@
 #include "text/quotation.hpp"
 
 namespace libration {
-
-using namespace pendulum;
 
 namespace {
 
@@ -90,11 +89,11 @@ trajectory_request choose(const trajectory_options& options) {
                           "use another scalar, or --method exact");
     }
     chosen_motion chosen = options.motion.choose_for(numbers.scalar);
-    const regime r = chosen.of.regime();
+    const auto r = chosen.of.regime();
     if (is_partial_sum(method) && at_critical_energy(r)) {
         throw input_error("--method", *options.method, "has no top to expand about at E = 2", "use exact or rk4");
     }
-    if (method == trajectory_method::uniform && r == regime::stable_equilibrium) {
+    if (method == trajectory_method::uniform && r == pendulum::regime::stable_equilibrium) {
         throw input_error("--method", *options.method, "has infinitely many columns of singularities at E = 0",
                           "use exact, series or resummed");
     }
@@ -202,7 +201,7 @@ int run_trajectory(const trajectory_options& options) {
     const trajectory_request request = choose(options);
     table data({{"time", ""}, {"theta", ""}, {"omega", ""}, {"error", ""}, {"time_typed", ""}});
     const long digits = request.numbers.digits;
-    const auto times = times_in_decimals(request.chosen.of, request.times, digits);
+    const auto times = solution_of(request.chosen.of)->times_in_decimals(request.times, digits);
     const auto points = trajectory_points(request);
     bool decided = true;
     for (std::size_t i = 0; i < points.size(); ++i) {

@@ -55,8 +55,9 @@ int code_of(error_kind kind) {
     switch (kind) {
         case error_kind::argument: return LIBRATION_ARGUMENT;
         case error_kind::range: return LIBRATION_RANGE;
-        default: return LIBRATION_UNDECIDED;
+        case error_kind::undecided: break;
     }
+    return LIBRATION_UNDECIDED;
 }
 
 // The code of the exception that is being handled.

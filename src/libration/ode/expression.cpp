@@ -1,13 +1,9 @@
 #include "libration/ode/expression.hpp"
 
 #include <set>
-#include <stdexcept>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
-#include "libration/function/list.hpp"
-#include "libration/ode/node_values.hpp"
 #include "libration/scalar/error.hpp"
 
 namespace libration::ode {
@@ -64,10 +60,6 @@ std::size_t mixed_hash(std::size_t seed, std::size_t more) {
 }
 
 bool is_number(const expression& e) { return e.kind() == node_kind::constant; }
-
-bool is_leaf(const expression& e) {
-    return e.kind() == node_kind::variable || e.kind() == node_kind::unknown || e.kind() == node_kind::parameter;
-}
 
 }  // namespace
 
@@ -302,97 +294,6 @@ rational expression::order() const {
 
 expression with_argument(const expression& function, const expression& x) {
     return function.has_order() ? apply(function.function(), function.right(), x) : apply(function.function(), x);
-}
-
-namespace {
-
-// The derivative of f(x) with respect to x, given f(x).
-expression slope_of(const expression& e) {
-    return function::with_function(e.function(), [&](auto of) -> expression {
-        using each = decltype(of);
-        if constexpr (function::ordered<each>) {
-            return each::derivative(e.order(), e.left(), e);
-        } else {
-            return each::derivative(e.left(), e);
-        }
-    });
-}
-
-// The derivative of a node from those of its operands; `by_right` is null if it has only one.
-expression derived(const expression& e, const expression& by_left, const expression* by_right) {
-    const expression& a = e.left();
-    switch (e.kind()) {
-        case node_kind::sum: return by_left + *by_right;
-        case node_kind::product: return by_left * e.right() + a * *by_right;
-        case node_kind::quotient: return (by_left - e * *by_right) / e.right();
-        case node_kind::power: {
-            const expression by_base = e.right() * pow(a, e.right() - 1) * by_left;
-            return by_right->is(0) ? by_base : by_base + log(a) * e * *by_right;
-        }
-        case node_kind::function: return by_left.is(0) ? expression() : slope_of(e) * by_left;
-        case node_kind::constant:
-        case node_kind::variable:
-        case node_kind::unknown:
-        case node_kind::parameter: break;
-    }
-    throw std::logic_error("a leaf has no operands");
-}
-
-}  // namespace
-
-void each_leaf(const expression& e, const std::function<void(const expression& leaf)>& seen) {
-    std::unordered_set<const void*> done;
-    std::vector<const expression*> open{&e};
-    while (!open.empty()) {
-        const expression& next = *open.back();
-        open.pop_back();
-        if (is_number(next) || !done.insert(next.identity()).second) {
-            continue;
-        }
-        if (is_leaf(next)) {
-            seen(next);
-        }
-        const auto [left, right] = operands_of(next);
-        for (const expression* each : {next.has_order() ? &next.right() : right, left}) {
-            if (each != nullptr) {
-                open.push_back(each);
-            }
-        }
-    }
-}
-
-expression replaced(const expression& in, const replacement& by) {
-    node_values<expression> done;
-    return done.of(in, [&](const expression& e) -> expression {
-        switch (e.kind()) {
-            case node_kind::constant: return e;
-            case node_kind::sum: return done.at(e.left()) + done.at(e.right());
-            case node_kind::product: return done.at(e.left()) * done.at(e.right());
-            case node_kind::quotient: return done.at(e.left()) / done.at(e.right());
-            case node_kind::power: return pow(done.at(e.left()), done.at(e.right()));
-            case node_kind::function:
-                return e.has_order() ? apply(e.function(), replaced(e.right(), by), done.at(e.left()))
-                                     : apply(e.function(), done.at(e.left()));
-            case node_kind::variable:
-            case node_kind::unknown:
-            case node_kind::parameter: break;
-        }
-        return by(e).value_or(e);
-    });
-}
-
-expression partial(const expression& e, const expression& leaf) {
-    node_values<expression> done;
-    return done.of(e, [&](const expression& each) -> expression {
-        if (is_number(each) || is_leaf(each)) {
-            return same_form(each, leaf) ? 1 : 0;
-        }
-        if (each.has_order() && each.right().has_parameters() && !partial(each.right(), leaf).is(0)) {
-            throw error(error_kind::argument, "order", "", "of a function has no derivative here");
-        }
-        const auto [left, right] = operands_of(each);
-        return derived(each, done.at(*left), right == nullptr ? nullptr : &done.at(*right));
-    });
 }
 
 std::string primed(const std::string& name, int derivative) {

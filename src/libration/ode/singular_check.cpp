@@ -1,4 +1,4 @@
-#include "singular_check.hpp"
+#include "singular_form.hpp"
 
 #include <algorithm>
 

@@ -1,10 +1,11 @@
-// Right-hand sides with factors (t - t0)^r about an initial point t0.
+// Right-hand sides with factors (t - t0)^r about an initial point t0, and the consistency of the initial values there.
 #pragma once
 
 #include <optional>
 #include <vector>
 
 #include "libration/ode/explicit_system.hpp"
+#include "libration/ode/tape.hpp"
 #include "start_values.hpp"
 
 namespace libration::ode {
@@ -14,5 +15,10 @@ namespace libration::ode {
 std::optional<singular_start> singular_form(const std::vector<unknown_function>& unknowns,
                                             const std::vector<expression>& right, const number& point,
                                             start_values& values);
+
+/// Throws error if the given coefficients do not satisfy the equations, or if unknowns have fractional powers below a
+/// derivative that the equations use. Decided over fractions if all numbers of the problem are fractions, otherwise
+/// with 60 digits, of which 30 must agree.
+void require_consistent_start(const tape& made, const explicit_system& of);
 
 }  // namespace libration::ode

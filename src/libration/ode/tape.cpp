@@ -4,7 +4,7 @@
 #include <string>
 
 #include "libration/scalar/error.hpp"
-#include "singular_check.hpp"
+#include "singular_form.hpp"
 #include "tape_builder.hpp"
 
 namespace libration::ode {

@@ -117,7 +117,7 @@ TEST_CASE("an imaginary error turns with the flow", "[ode][proved][singularity]"
     const precision_scope scope(60);
     const complex_flow flow(explicit_system(parse("y' = y^2; y(0) = 1")), 150);
     const magnitude d = magnitude::of(1, -30);
-    complex_set now{complex_ball(0), {complex_ball(1)}, {0}, error_frame({magnitude(), d})};
+    complex_set now{complex_ball(0), {complex_ball(1)}, {0}, error_set({magnitude(), d})};
     for (const complex_ball& corner : {at(0, 1, 5), at(0, 2, 5), at(1, 1, 5), at(2, 0, 5)}) {
         const complex_ball to{exact_midpoint(corner.re), exact_midpoint(corner.im)};
         now = complex_disc(flow, now).moved_to(to);

@@ -7,12 +7,12 @@
 #include "libration/ode/parse.hpp"
 #include "libration/ode/proved/condition_numbers.hpp"
 #include "libration/ode/proved/event_search.hpp"
-#include "libration/ode/proved/frame.hpp"
 #include "libration/ode/proved/proved_march.hpp"
 #include "libration/ode/proved/proved_root.hpp"
 #include "libration/ode/proved/radius_bounds.hpp"
 #include "libration/ode/proved/singular_step.hpp"
 #include "libration/ode/proved/tail_bound.hpp"
+#include "libration/ode/rigorous/error_set.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "libration/problem/known/proved/falkner_skan.hpp"
 #include "libration/problem/known/proved/painleve_1.hpp"
@@ -84,10 +84,11 @@ TEST_CASE("a march ends where a quotient has no value", "[ode][proved]") {
 TEST_CASE("an event between two pieces of a step is one", "[ode][proved]") {
     constexpr long bits = 100;
     proved_march march(typed("y' = 1 + z; z' = -z; y(0) = 0; z(0) = 1"), bits);
-    REQUIRE(march.prepare());
+    const proved_step* const step = march.prepare();
+    REQUIRE(step != nullptr);
     for (const int part : {1, 2, 3}) {
         const precision_scope scope(decimal_digits(bits));
-        const ball distance = exact_midpoint(march.length().exact() * part / 4);
+        const ball distance = exact_midpoint(step->length().exact() * part / 4);
         mpq_t exactly;
         mpq_init(exactly);
         mpfr_get_q(exactly, handle(midpoint_of(distance)));
@@ -117,10 +118,10 @@ TEST_CASE("events about a singular start", "[ode][proved][singular]") {
 }
 
 TEST_CASE("frames of flat maps, and no frame of an infinite one", "[ode][proved]") {
-    const error_frame box({magnitude(1U), magnitude(1U)});
-    const error_frame flat = box.moved({{ball(1), ball(0)}, {ball(0), ball(0)}}, {magnitude(), magnitude()});
+    const error_set box({magnitude(1U), magnitude(1U)});
+    const error_set flat = box.moved({{ball(1), ball(0)}, {ball(0), ball(0)}}, {magnitude(), magnitude()});
     CHECK(certainly_less(abs(flat.reach(0).exact() - 1), pow(ball(2), -20)));
-    CHECK(flat.widths()[1].is_zero());
+    CHECK(flat.radii()[1].is_zero());
     const ball infinite = ball(1) / 0;
     CHECK_THROWS_AS(box.moved({{infinite, ball(0)}, {ball(0), ball(1)}}, {magnitude(), magnitude()}),
                     precision_exhausted);
@@ -185,7 +186,7 @@ TEST_CASE("discs about equilibria", "[ode][proved][singularity]") {
 // 1/y over a set that contains 0.
 TEST_CASE("a set over which a quotient has no value has no disc", "[ode][proved][singularity]") {
     const complex_flow flow(typed("y' = 1/y; y(0) = 1"), 100);
-    const complex_set wide{complex_ball(0), {complex_ball(1)}, {0}, error_frame({magnitude(2U), magnitude(2U)})};
+    const complex_set wide{complex_ball(0), {complex_ball(1)}, {0}, error_set({magnitude(2U), magnitude(2U)})};
     CHECK_THROWS_AS(complex_disc(flow, wide), precision_exhausted);
 }
 

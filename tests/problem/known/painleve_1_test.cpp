@@ -6,9 +6,9 @@
 
 #include "libration/digits/proved/proved_decimals.hpp"
 #include "libration/ode/parse.hpp"
-#include "libration/ode/proved/frame.hpp"
 #include "libration/ode/proved/proved_march.hpp"
 #include "libration/ode/proved/proved_trajectory.hpp"
+#include "libration/ode/rigorous/error_set.hpp"
 #include "libration/ode/singularity/singularity_map.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "libration/scalar/ball/predicates.hpp"

@@ -8,10 +8,10 @@
 
 #include "libration/ode/ball/taylor_expansion.hpp"
 #include "libration/ode/lifted_system.hpp"
-#include "libration/ode/proved/frame.hpp"
 #include "libration/ode/proved/proof_route.hpp"
 #include "libration/ode/proved/singular_step.hpp"
 #include "libration/ode/proved/tail_bound.hpp"
+#include "libration/ode/rigorous/error_set.hpp"
 
 namespace libration::ode {
 
@@ -25,7 +25,7 @@ struct complex_set {
     complex_ball offset;
     std::vector<complex_ball> centre;
     std::vector<long> scales;
-    error_frame errors;
+    error_set errors;
 };
 
 /// A system for complex times: the data shared by the discs about points of its paths.

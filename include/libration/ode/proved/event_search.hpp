@@ -124,12 +124,12 @@ private:
     int direction_;
     march_watch watch_;
     start_sign start_;
-    int sign_ = 1;                     // of g when it was last certain
-    bool open_ = false;                // g has been monotone towards 0 since then
-    std::vector<proved_event> parts_;  // and the possible locations of its zero on these pieces
-    std::vector<step_piece> pieces_;   // of the current step, the next one last
-    long examined_ = 0;                // number of halved pieces
-    bool examining_ = false;           // the current step is ready
+    int sign_ = 1;                       // of g when it was last certain
+    bool open_ = false;                  // g has been monotone towards 0 since then
+    std::vector<proved_event> parts_;    // and the possible locations of its zero on these pieces
+    std::vector<step_piece> pieces_;     // of the current step, the next one last
+    long examined_ = 0;                  // number of halved pieces
+    const proved_step* step_ = nullptr;  // that is being examined
     search_end end_ = search_end::none;
     std::optional<undecided_place> undecided_;
 };

@@ -8,11 +8,10 @@
 #include <vector>
 
 #include "libration/ode/lifted_system.hpp"
-#include "libration/ode/proved/frame.hpp"
 #include "libration/ode/proved/proof_route.hpp"
+#include "libration/ode/proved/proved_step.hpp"
 #include "libration/ode/proved/singular_step.hpp"
 #include "libration/ode/proved/step_length.hpp"
-#include "libration/ode/proved/tail_bound.hpp"
 #include "libration/ode/rigorous/tube.hpp"
 
 namespace libration::ode {
@@ -34,7 +33,7 @@ enum class march_end {
 /// into c' + [-tau, tau] by theorem T from the exact point (tau contains the tail, the radii of its balls, the rounding
 /// of c'), and A, from theorem T for the system with its variations over the whole set, contains the derivative of Phi
 /// at every point of the set, which is convex; so Phi of the set lies in c' + A Q [-r, r] + [-tau, tau]
-/// (error_frame::moved). Proof: Phi(z) - Phi(c) = (int_0^1 DPhi(c + x (z - c)) dx)(z - c).
+/// (error_set). Proof: Phi(z) - Phi(c) = (int_0^1 DPhi(c + x (z - c)) dx)(z - c).
 ///
 /// If the equations are stiff along the way of at(), that is if the solution is smooth over many of these steps, the
 /// integrator of theorem K (rigorous/collocation_integrator.hpp) continues from the same set, until no mode is fast. It
@@ -46,7 +45,7 @@ enum class march_end {
 /// width are noise.
 ///
 /// Each unknown has its own relative precision: the set is kept in scales 2^k near the sizes of the unknowns on the
-/// step (error_frame::settled), and tails are bounded relative to the size of their unknown or to the set's own width
+/// step (error_set::settled), and tails are bounded relative to the size of their unknown or to the set's own width
 /// (step_length.hpp). An unknown that is 0 at all times remains an exact 0: its centre, tail and row of A are exact
 /// zeros. One that is not distinguished from 0 for another reason has no effect on the steps; one that was
 /// distinguished before, and is no longer, ends the proof for lack of precision.
@@ -87,17 +86,11 @@ public:
     /// The derivative at a time for which at() has just been called.
     ball_matrix derivative_at(const ball& time) const;
 
-    /// Prepares the step from reached() once: series and bounds. Returns false if the proof ends here.
-    bool prepare();
-    /// The longest distance for which the step is valid; after prepare().
-    const magnitude& length() const;
-    /// The given unknowns at every distance of a ball, |distance| <= length(), of either sign; after prepare().
-    std::vector<ball> values_at(const ball& distance) const;
-    /// The derivative of the flow over that distance with respect to the state at reached(), for every point of the
-    /// set.
-    ball_matrix derivative_of_flow(const ball& distance) const;
-    /// Takes the whole step, forwards for direction >= 0; after prepare().
-    void step(int direction);
+    /// The step from reached(), computed once and valid until the next one is taken. Returns nullptr if the proof ends
+    /// here.
+    const proved_step* prepare();
+    /// Takes the whole step that prepare() has returned, forwards for direction >= 0.
+    void take(const proved_step& prepared, int direction);
 
     march_end end() const { return end_; }
     /// The time up to which the solution is proved to exist.
@@ -112,29 +105,22 @@ public:
     const collocation_use& collocation() const;
 
 private:
-    struct expansions;
     proved_march(singular_step begin, long bits, march_watch watch, long error_bits, const proof_route& route);
 
-    void make_expansions();
+    void make_step();
     bool expand_centre();
     bool expand_set();
     bool expand_variations();
     double radius_of_variations() const;
     bool choose_length();
-    bool stopped(march_end why);
-    bool stopped_by_bounds();
-    std::vector<ball> flow_of_centre(const ball& distance) const;
-    std::vector<ball> whole_set() const;
+    const proved_step* stopped(march_end why);
+    const proved_step* stopped_by_bounds();
     void require_integrator() const;
-    tube_set tube_of_set() const;
-    bool begins_collocation(const ball& rest);
+    bool begins_collocation(const proved_step& step, const ball& rest);
     std::vector<ball> values_by_collocation(const ball& distance);
     void step_of_collocation();
-    bool loses_an_unknown(const tube_set& set) const;
+    bool loses_an_unknown(const state_set& set) const;
     void end_collocation();
-    void forget_step();
-    long bits_of_step() const;
-    int order_of_step() const;
     void use_step(int direction);
     step_report report_of_step(int direction) const;
     void count_steps(long count);
@@ -147,11 +133,10 @@ private:
     proof_route route_;
     int set_order_;
     ball time_, origin_;
-    std::vector<ball> centre_;
-    error_frame errors_;
+    state_set set_;
     unknown_scales scales_;
     long set_bits_;  ///< of the error map: error_bits_ plus the loss by its largest terms
-    std::unique_ptr<expansions> now_;
+    std::unique_ptr<proved_step> now_;
     std::optional<ball_matrix> derivative_;
     long steps_ = 0;
     march_watch watch_;

@@ -6,9 +6,9 @@
 
 #include "libration/ode/ball/taylor_expansion.hpp"
 #include "libration/ode/explicit_system.hpp"
-#include "libration/ode/proved/frame.hpp"
 #include "libration/ode/proved/proof_route.hpp"
 #include "libration/ode/proved/tail_bound.hpp"
+#include "libration/ode/rigorous/error_set.hpp"
 
 namespace libration::ode {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "libration/ode/ball/taylor_expansion.hpp"
-#include "libration/ode/proved/frame.hpp"
 #include "libration/ode/proved/tail_bound.hpp"
+#include "libration/ode/rigorous/error_set.hpp"
 
 namespace libration::ode {
 
@@ -38,7 +38,7 @@ public:
 
     const unknown_scale& operator[](std::size_t i) const { return all_[i]; }
 
-    void measure_errors(const error_frame& errors) {
+    void measure_errors(const error_set& errors) {
         for (std::size_t i = 0; i < all_.size(); ++i) {
             all_[i].reach = log_of(errors.reach(i));
         }
@@ -105,7 +105,7 @@ public:
         return best == nothing ? most : static_cast<long>(std::min(best, static_cast<double>(most)));
     }
 
-    /// Exponents of the scales in which errors are comparable, for error_frame::settled.
+    /// Exponents of the scales in which errors are comparable, for error_set::settled.
     std::vector<long> exponents() const {
         std::vector<long> result;
         for (const unknown_scale& each : all_) {

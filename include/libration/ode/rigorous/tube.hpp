@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "libration/scalar/ball/magnitude.hpp"
+#include "libration/ode/rigorous/error_set.hpp"
 
 namespace libration::ode {
 
@@ -17,19 +17,9 @@ struct step_interval {
     ball start, length;
 };
 
-/// The error set of theorem K: { centre + sum_b C_b e_b + a : |e_b| <= radii_b, |a_i| <= added_i }, centre exact, C_b
-/// the columns of a block, one or two of them, with the Euclidean norm; columns of balls stand for each of their
-/// matrices. C need not be square.
-struct tube_set {
-    std::vector<ball> centre;
-    std::vector<std::vector<ball>> columns;  ///< each as long as the centre
-    std::vector<std::size_t> blocks;         ///< the number of columns of each
-    std::vector<magnitude> radii;            ///< one per block
-    std::vector<magnitude> added;            ///< one per unknown
-    std::size_t slow = 0;                    ///< the number of leading columns that follow the flow
-
-    /// A bound of |y_i - centre_i| over the set.
-    magnitude reach(std::size_t i) const;
+/// A set at the end of a tube.
+struct tube_set : state_set {
+    std::size_t slow = 0;  ///< the number of leading columns of the error set that follow the flow
 };
 
 /// Theorem K. Let f be continuous with a continuous derivative f_y, on a step s <= t <= u let p(t) and V(t) be

@@ -64,7 +64,7 @@ bool collocation_phase::may_begin(long steps, const magnitude& length, const bal
     return length * magnitude(steps_worth_preparation(bits_)) <= magnitude(rest);
 }
 
-bool collocation_phase::begin(long steps, const ball& time, const tube_set& set, const magnitude& length,
+bool collocation_phase::begin(long steps, const ball& time, const state_set& set, const magnitude& length,
                               const ball& rest) {
     next_check_ = steps + between_checks_;
     between_checks_ *= 2;

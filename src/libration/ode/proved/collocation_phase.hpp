@@ -28,7 +28,7 @@ public:
     bool may_begin(long steps, const magnitude& length, const ball& rest) const;
     /// Begins from a set of the given unknowns, if the solution is smooth enough and a step is proved; true if that
     /// step is prepared.
-    bool begin(long steps, const ball& time, const tube_set& set, const magnitude& length, const ball& rest);
+    bool begin(long steps, const ball& time, const state_set& set, const magnitude& length, const ball& rest);
     /// Prepares the next step; false if none is proved.
     bool prepare() { return integrator_->prepare(); }
     /// Notes that the prepared step is used, once for each.

@@ -89,7 +89,7 @@ complex_set set_about(const complex_ball& offset, const std::vector<complex_ball
             widths.push_back(magnitude(off) * magnitude::of(1, -scales[i]));
         }
     }
-    return {offset, std::move(centre), std::move(scales), error_frame(std::move(widths))};
+    return {offset, std::move(centre), std::move(scales), error_set(std::move(widths))};
 }
 
 std::vector<complex_ball> values_of(const complex_set& set) {
@@ -233,7 +233,7 @@ ball_matrix complex_disc::scaled_map(const complex_ball& distance, const std::ve
 
 complex_set complex_disc::moved_to(const complex_ball& offset) const {
     const std::size_t size = set_.centre.size();
-    complex_set result{offset, {}, {}, error_frame({})};
+    complex_set result{offset, {}, {}, error_set()};
     const complex_ball distance = exact_difference(offset, set_.offset);
     if (!certainly_within(distance, radius())) {
         throw error(error_kind::argument, "offset", "", "is not inside the disc");
@@ -255,7 +255,7 @@ complex_set complex_disc::moved_to(const complex_ball& offset) const {
         }
     }
     if (singular_) {  // the initial values are as accurate as the series
-        result.errors = error_frame(std::move(added));
+        result.errors = error_set(std::move(added));
         return result;
     }
     const precision_scope few(decimal_digits(complex_flow::usual_error_bits));

@@ -62,7 +62,7 @@ const expression& event_search::curvature() {
 // The values of expressions in leaves at a distance.
 expression_values<ball> event_search::values_at(const ball& distance) const {
     expression_values<ball> values(form_.leaves, march_.reached() + distance);
-    for (const ball& each : march_.values_at(distance)) {
+    for (const ball& each : step_->values_at(distance)) {
         values.push_back(each);
     }
     return values;
@@ -302,9 +302,8 @@ std::optional<proved_event> event_search::joined() {
 
 // Prepares the pieces of the next step. Returns false for the reason end_.
 bool event_search::begin_step(const std::optional<ball>& end, long last_step) {
-    if (examining_) {
-        march_.step(direction_);
-        examining_ = false;
+    if (step_ != nullptr) {
+        march_.take(*std::exchange(step_, nullptr), direction_);
         if (watch_) {
             watch_(march_.reached(), march_.bits());
         }
@@ -313,11 +312,12 @@ bool event_search::begin_step(const std::optional<ball>& end, long last_step) {
         end_ = search_end::horizon;
         return false;
     }
-    if (!march_.prepare()) {
+    const proved_step* const step = march_.prepare();
+    if (step == nullptr) {
         end_ = march_.end() == march_end::steps ? search_end::steps : search_end::precision;
         return false;
     }
-    ball first = march_.length().exact();
+    ball first = step->length().exact();
     if (end) {
         const ball rest = upper_bound((*end - march_.reached()) * direction_);
         const bool beyond = !exactly_less(ball(0), rest);
@@ -334,7 +334,7 @@ bool event_search::begin_step(const std::optional<ball>& end, long last_step) {
         pieces_.push_back({exact_multiple(first, k, -2), exact_multiple(first, k + 1, -2), few_digits});
     }
     examined_ = 0;
-    examining_ = true;
+    step_ = step;
     return true;
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "../rigorous/dense_matrix.hpp"
 #include "../rigorous/lifted_set.hpp"
@@ -37,14 +38,9 @@ void proved_march::require_integrator() const {
     }
 }
 
-tube_set proved_march::tube_of_set() const {
-    const std::size_t count = errors_.size();
-    return {centre_, errors_.columns(), std::vector<std::size_t>(count, 1), errors_.widths(), errors_.added(), count};
-}
-
-bool proved_march::begins_collocation(const ball& rest) {
-    if (derivative_ || !collocation_->may_begin(steps_, length(), rest) ||
-        !collocation_->begin(steps_, time_, tube_of_set(), length(), rest)) {
+bool proved_march::begins_collocation(const proved_step& step, const ball& rest) {
+    if (derivative_ || !collocation_->may_begin(steps_, step.length(), rest) ||
+        !collocation_->begin(steps_, time_, set_, step.length(), rest)) {
         return false;
     }
     used_ = false;
@@ -72,7 +68,7 @@ void proved_march::step_of_collocation() {
 }
 
 // By the state alone, also for an unknown near 0; the next step of Taylor series decides.
-bool proved_march::loses_an_unknown(const tube_set& set) const {
+bool proved_march::loses_an_unknown(const state_set& set) const {
     std::vector<magnitude> reach;
     for (std::size_t i = 0; i < lifted_.given; ++i) {
         reach.push_back(set.reach(i));
@@ -81,13 +77,12 @@ bool proved_march::loses_an_unknown(const tube_set& set) const {
 }
 
 void proved_march::end_collocation() {
-    const auto set = set_of_first(lifted_.given, collocation_->integrator().set());
+    auto set = set_of_first(lifted_.given, collocation_->integrator().set());
     if (!set) {
         throw precision_exhausted("an error set");
     }
-    centre_ = set->centre;
-    errors_ = error_frame(set->columns, set->radii, set->added);
-    forget_step();
+    set_ = std::move(*set);
+    now_->ready_ = false;
     used_ = false;
     collocation_->end();
 }
@@ -119,13 +114,12 @@ step_report proved_march::report_of_step(int direction) const {
                 by.degree(),      step_method::collocation, log2_of_relative_width(by.set().centre, reach)};
     }
     std::vector<magnitude> reach;
-    for (std::size_t i = 0; i < errors_.size(); ++i) {
-        reach.push_back(errors_.reach(i));
+    for (std::size_t i = 0; i < set_.centre.size(); ++i) {
+        reach.push_back(set_.reach(i));
     }
-    const double length_of_step = as_double(length().exact());
-    return {as_double(time_),    direction < 0 ? -length_of_step : length_of_step,
-            bits_of_step(),      order_of_step(),
-            step_method::taylor, log2_of_relative_width(centre_, reach)};
+    const double length = as_double(now_->length().exact());
+    return {as_double(time_),    direction < 0 ? -length : length,          now_->bits(), now_->order(),
+            step_method::taylor, log2_of_relative_width(set_.centre, reach)};
 }
 
 }  // namespace libration::ode

@@ -31,22 +31,6 @@ singular_step begin_of(const explicit_system& system, long bits, const proof_rou
 
 }  // namespace
 
-// The data of a step, recomputed when the precision changes.
-struct proved_march::expansions {
-    // To be constructed in a scope of so many bits.
-    expansions(const tape& centre, const tape& varied, long in_bits, int set_order, const proof_route& route)
-        : bits(in_bits),
-          of_centre(centre, taylor_order(static_cast<int>(in_bits)) + 2 + route.more_terms, route.product),
-          of_set(varied, set_order, route.product) {}
-
-    long bits;
-    taylor_expansion<ball> of_centre, of_set;
-    std::optional<tail_bound> tail, set_tail;
-    double log_of_radius = no_radius;
-    magnitude length;
-    bool ready = false;
-};
-
 proved_march::~proved_march() = default;
 
 proved_march::proved_march(const explicit_system& system, long bits, march_watch watch, long error_bits,
@@ -71,7 +55,6 @@ proved_march::proved_march(const explicit_system& system, const std::vector<ball
       error_bits_(error_bits),
       route_(route),
       set_order_(taylor_order(static_cast<int>(error_bits)) - 2 + route.more_terms),
-      errors_(std::vector<magnitude>(lifted_.given)),
       scales_(start),
       set_bits_(error_bits),
       watch_(std::move(watch)),
@@ -82,43 +65,35 @@ proved_march::proved_march(const explicit_system& system, const std::vector<ball
     origin_ = time_;
     std::vector<magnitude> widths;
     for (const ball& each : start) {
-        centre_.push_back(exact_midpoint(each));
-        widths.emplace_back(each - centre_.back());
+        set_.centre.push_back(exact_midpoint(each));
+        widths.emplace_back(each - set_.centre.back());
     }
-    errors_ = error_frame(std::move(widths));
+    set_.errors = error_set(std::move(widths));
 }
 
 magnitude proved_march::width() const {
     magnitude result;
-    for (std::size_t i = 0; i < errors_.size(); ++i) {
-        result = std::max(result, errors_.reach(i));
+    for (std::size_t i = 0; i < set_.centre.size(); ++i) {
+        result = std::max(result, set_.reach(i));
     }
     return result;
 }
 
-std::vector<ball> proved_march::whole_set() const {
-    std::vector<ball> values;
-    for (std::size_t i = 0; i < centre_.size(); ++i) {
-        values.push_back(widened(centre_[i] + 0, errors_.reach(i)));
-    }
-    return values;
-}
-
-bool proved_march::stopped(march_end why) {
+const proved_step* proved_march::stopped(march_end why) {
     end_ = why;
-    return false;
+    return nullptr;
 }
 
-bool proved_march::prepare() {
-    if (now_ && now_->ready) {
-        return true;
+const proved_step* proved_march::prepare() {
+    if (now_ && now_->ready_) {
+        return now_.get();
     }
-    scales_.measure_errors(errors_);
-    make_expansions();
+    scales_.measure_errors(set_.errors);
+    make_step();
     if (!expand_centre()) {
         return stopped_by_bounds();
     }
-    scales_.measure_sizes(now_->of_centre, now_->tail->radius);
+    scales_.measure_sizes(now_->of_centre_, now_->tail_->radius);
     if (scales_.lost(widest_set)) {
         return stopped(march_end::precision);
     }
@@ -130,69 +105,71 @@ bool proved_march::prepare() {
         return stopped_by_bounds();
     }
     const magnitude gone(time_ - origin_);
-    if (steps_ >= most_steps || now_->length <= gone * magnitude::of(1, -40)) {
+    if (steps_ >= most_steps || now_->length_ <= gone * magnitude::of(1, -40)) {
         return stopped(march_end::steps);
     }
-    now_->ready = true;
-    return true;
+    now_->ready_ = true;
+    return now_.get();
 }
 
 // No radius was found; a narrow set is not the reason.
-bool proved_march::stopped_by_bounds() {
+const proved_step* proved_march::stopped_by_bounds() {
     return stopped(scales_.wide(2 * widest_set) ? march_end::precision : march_end::steps);
 }
 
-void proved_march::make_expansions() {
+void proved_march::make_step() {
     const long bits =
         std::clamp(scales_.accuracy(bits_) + bits_below_the_set, usual_error_bits, std::max(bits_, usual_error_bits));
-    if (!now_ || bits > now_->bits || now_->bits > bits + bits / 8 + 16 || now_->of_set.order() != set_order_) {
+    if (!now_ || bits > now_->bits_ || now_->bits_ > bits + bits / 8 + 16 || now_->of_set_.order() != set_order_) {
         const long some_more = std::min(bits_, bits + bits / 16);
         const precision_scope scope(decimal_digits(some_more));
-        now_ = std::make_unique<expansions>(tape_, varied_tape_, some_more, set_order_, route_);
+        now_.reset(new proved_step(tape_, varied_tape_, some_more, set_order_, route_));
     }
 }
 
 // The series of the centre, and its remainder.
 bool proved_march::expand_centre() {
-    const precision_scope scope(decimal_digits(now_->bits));
-    const auto all = lifted_values(lifted_, time_, centre_);
+    const precision_scope scope(decimal_digits(now_->bits_));
+    const auto all = lifted_values(lifted_, time_, set_.centre);
     if (!all_finite(all)) {
         return false;
     }
-    now_->of_centre.about(time_, as_state(all));
-    now_->log_of_radius = estimated_radius(now_->of_centre, all.size());
-    if (now_->log_of_radius == no_radius && expand_variations()) {
-        now_->log_of_radius = radius_of_variations();
+    now_->of_centre_.about(time_, as_state(all));
+    now_->log_of_radius_ = estimated_radius(now_->of_centre_, all.size());
+    if (now_->log_of_radius_ == no_radius && expand_variations()) {
+        now_->log_of_radius_ = radius_of_variations();
     }
-    now_->tail = tail_near(tape_, now_->of_centre, time_, now_->log_of_radius);
-    return now_->tail.has_value();
+    now_->tail_ = tail_near(tape_, now_->of_centre_, time_, now_->log_of_radius_);
+    return now_->tail_.has_value();
 }
 
 // The series of the set with its variations, in low precision, and their remainders.
 bool proved_march::expand_set() {
     const precision_scope few(decimal_digits(set_bits_));
-    errors_ = errors_.settled(scales_.exponents());
+    set_.errors = set_.errors.settled(scales_.exponents());
+    now_->errors_ = set_.errors;
+    now_->set_bits_ = set_bits_;
     if (!expand_variations()) {
         return false;
     }
-    const double radius = std::min(now_->log_of_radius, radius_of_variations());
-    now_->set_tail = tail_near(varied_tape_, now_->of_set, time_, radius);
-    return now_->set_tail.has_value();
+    const double radius = std::min(now_->log_of_radius_, radius_of_variations());
+    now_->set_tail_ = tail_near(varied_tape_, now_->of_set_, time_, radius);
+    return now_->set_tail_.has_value();
 }
 
 bool proved_march::expand_variations() {
     const precision_scope few(decimal_digits(set_bits_));
-    const auto varied = varied_values(lifted_, time_, whole_set());
+    const auto varied = varied_values(lifted_, time_, set_.hull());
     const bool finite = all_finite(varied);
     if (finite) {
-        now_->of_set.about(time_, as_state(varied));
+        now_->of_set_.about(time_, as_state(varied));
     }
     return finite;
 }
 
 // At an equilibrium only the variations have a finite radius.
 double proved_march::radius_of_variations() const {
-    return estimated_radius(now_->of_set, varied_tape_.orders().size());
+    return estimated_radius(now_->of_set_, varied_tape_.orders().size());
 }
 
 // The longest step with a tail below the last bits of each unknown and small in the error map; any length is valid.
@@ -200,14 +177,14 @@ double proved_march::radius_of_variations() const {
 bool proved_march::choose_length() {
     const variation_places places{lifted_.given, lifted_.leaves.size()};
     const double wanted = static_cast<double>(bits_below_truncation - error_bits_);
-    const double of_centre = scales_.longest(*now_->tail, now_->bits, bits_below_the_set);
-    const double at_first = std::min(of_centre, longest_for_map(*now_->set_tail, scales_, places, wanted));
-    const double growth = growth_of_terms(now_->of_set, scales_, places, at_first);
-    const double of_set = longest_for_map(*now_->set_tail, scales_, places, wanted - growth);
-    now_->length = route_.shortened(power_of_two(std::min(at_first, of_set)));
+    const double of_centre = scales_.longest(*now_->tail_, now_->bits_, bits_below_the_set);
+    const double at_first = std::min(of_centre, longest_for_map(*now_->set_tail_, scales_, places, wanted));
+    const double growth = growth_of_terms(now_->of_set_, scales_, places, at_first);
+    const double of_set = longest_for_map(*now_->set_tail_, scales_, places, wanted - growth);
+    now_->length_ = route_.shortened(power_of_two(std::min(at_first, of_set)));
     // If the flow contracts much faster than the solution moves, the error map needs more terms and bits.
     if (of_set + worth_more_terms < of_centre) {
-        set_order_ = std::min(set_order_ + set_order_ / 4, now_->of_centre.order());
+        set_order_ = std::min(set_order_ + set_order_ / 4, now_->of_centre_.order());
     }
     const long bits = error_bits_ + static_cast<long>(2 * growth - bits_to_lose);
     const bool more = bits > set_bits_;
@@ -217,55 +194,27 @@ bool proved_march::choose_length() {
     return more;
 }
 
-std::vector<ball> proved_march::flow_of_centre(const ball& distance) const {
-    const auto state = now_->of_centre.at(distance);
-    std::vector<ball> values;
-    for (std::size_t i = 0; i < lifted_.given; ++i) {
-        values.push_back(widened(state[i][0], now_->tail->at(i, magnitude(distance))));
-    }
-    return values;
-}
-
-ball_matrix proved_march::derivative_of_flow(const ball& distance) const {
-    const auto state = now_->of_set.at(distance);
-    const std::size_t count = lifted_.leaves.size();
-    ball_matrix map(lifted_.given);
-    for (std::size_t i = 0; i < lifted_.given; ++i) {
-        for (std::size_t j = 0; j < lifted_.given; ++j) {
-            const std::size_t index = count * (j + 1) + i;
-            map[i].push_back(widened(state[index][0], now_->set_tail->at(index, magnitude(distance))));
-        }
-    }
-    return map;
-}
-
-const magnitude& proved_march::length() const { return now_->length; }
-
-void proved_march::step(int direction) {
+void proved_march::take(const proved_step& prepared, int direction) {
     use_step(direction);
     used_ = false;
-    const precision_scope scope(decimal_digits(now_->bits));
-    const ball distance = direction < 0 ? -now_->length.exact() : now_->length.exact();
-    const auto image = flow_of_centre(distance);
+    const precision_scope scope(decimal_digits(prepared.bits()));
+    const ball distance = direction < 0 ? -prepared.length().exact() : prepared.length().exact();
+    const auto image = prepared.flow_of_centre(distance);
     std::vector<magnitude> added;
     for (std::size_t i = 0; i < image.size(); ++i) {
-        centre_[i] = exact_midpoint(image[i]);
-        added.emplace_back(image[i] - centre_[i]);
+        set_.centre[i] = exact_midpoint(image[i]);
+        added.emplace_back(image[i] - set_.centre[i]);
     }
     arb_add(time_.handle(), time_.handle(), distance.handle(), ARF_PREC_EXACT);
-    now_->ready = false;
     const precision_scope few(decimal_digits(set_bits_));
-    const ball_matrix map = derivative_of_flow(distance);
+    const ball_matrix map = prepared.derivative_of_flow(distance);
+    now_->ready_ = false;
     if (derivative_) {
         derivative_ = product(map, *derivative_);
     }
-    errors_ = errors_.image(map, added);
+    set_.errors = set_.errors.image(map, added);
     count_steps(1);
 }
-
-void proved_march::forget_step() { now_->ready = false; }
-long proved_march::bits_of_step() const { return now_->bits; }
-int proved_march::order_of_step() const { return now_->of_centre.order(); }
 
 void proved_march::count_steps(long count) {
     steps_ += count;
@@ -296,7 +245,7 @@ void proved_march::keep_derivative() {
 
 ball_matrix proved_march::derivative_at(const ball& time) const {
     const precision_scope few(decimal_digits(set_bits_));
-    return product(derivative_of_flow(time - time_), *derivative_);
+    return product(now_->derivative_of_flow(time - time_), *derivative_);
 }
 
 std::optional<std::vector<ball>> proved_march::at(const number& time) {
@@ -320,31 +269,22 @@ std::optional<std::vector<ball>> proved_march::at(const ball& target) {
             if (collocation_->is_active()) {
                 end_collocation();
             }
-            if (!prepare()) {
+            const proved_step* const step = prepare();
+            if (step == nullptr) {
                 break;
             }
-            if (magnitude(distance) <= now_->length) {
+            if (magnitude(distance) <= step->length()) {
                 use_step(direction);
-                return values_at(distance);
+                return step->values_at(distance);
             }
-            if (!begins_collocation(distance)) {
-                step(direction);
+            if (!begins_collocation(*step, distance)) {
+                take(*step, direction);
             }
         }
     } catch (const precision_exhausted&) {
         end_ = march_end::precision;
     }
     return std::nullopt;
-}
-
-std::vector<ball> proved_march::values_at(const ball& distance) const {
-    auto values = flow_of_centre(distance);
-    const precision_scope few(decimal_digits(set_bits_));
-    const auto map = derivative_of_flow(distance);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        values[i] = widened(values[i], errors_.reach(map, i));
-    }
-    return values;
 }
 
 }  // namespace libration::ode

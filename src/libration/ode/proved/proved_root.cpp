@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "libration/ode/proved/frame.hpp"
+#include "libration/ode/rigorous/error_set.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"
 #include "needed_bits.hpp"

@@ -47,10 +47,10 @@ bool collocation_solver::slow_start(ball_columns& slow) {
     const std::size_t asked = modes_->slow.size();
     ball_columns old;
     ball_columns lengths_1;
-    for (std::size_t j = 0; j < start_->columns.size(); ++j) {
+    for (std::size_t j = 0; j < start_->errors.columns().size(); ++j) {
         std::vector<ball> scaled;
         for (std::size_t i = 0; i < count(); ++i) {
-            scaled.push_back(midpoint_alone(shifted(start_->columns[j][i], -scales_[i])));
+            scaled.push_back(midpoint_alone(shifted(start_->errors.columns()[j][i], -scales_[i])));
         }
         if (j < start_->slow) {
             lengths_1.push_back(of_length_1(scaled));
@@ -73,15 +73,15 @@ bool collocation_solver::slow_start(ball_columns& slow) {
     }
     ball_columns errors;
     std::size_t column = 0;
-    for (std::size_t b = 0; b < start_->blocks.size(); ++b) {
-        for (std::size_t k = 0; k < start_->blocks[b]; ++k) {
+    for (std::size_t b = 0; b < start_->errors.blocks().size(); ++b) {
+        for (std::size_t k = 0; k < start_->errors.blocks()[b]; ++k) {
             const std::vector<ball> parts = product(*back, old[column++]);
             std::vector<ball> sum(count());
             for (std::size_t i = 0; i < count(); ++i) {
                 for (std::size_t a = 0; a < asked; ++a) {
                     sum[i] += slow[a][i] * parts[a];
                 }
-                sum[i] = midpoint_alone(sum[i] * start_->radii[b].exact());
+                sum[i] = midpoint_alone(sum[i] * start_->errors.radii()[b].exact());
             }
             errors.push_back(std::move(sum));
         }

@@ -15,11 +15,11 @@ namespace libration::ode {
 ///     w(t, y) in w(t, c) + (G C) e + G a,
 /// with G over the whole set, which is convex: the added unknowns have the same e as the given ones, so that nothing of
 /// their dependence is lost. std::nullopt if w or G is not finite on the set.
-std::optional<tube_set> lifted_set(const lifted_system& of, const ball& time, const tube_set& given);
+std::optional<tube_set> lifted_set(const lifted_system& of, const ball& time, const state_set& given);
 
 /// A set of the first `count` unknowns that contains those of the given set, with as many columns in blocks of one: its
 /// own ones, or, if it has more unknowns, an orthonormal basis of the longest combinations of the columns times their
 /// radii, by Lohner's rule. std::nullopt if none is found.
-std::optional<tube_set> set_of_first(std::size_t count, const tube_set& of);
+std::optional<state_set> set_of_first(std::size_t count, const state_set& of);
 
 }  // namespace libration::ode

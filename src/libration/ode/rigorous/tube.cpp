@@ -1,36 +1,11 @@
 #include "libration/ode/rigorous/tube.hpp"
 
+#include <utility>
+
 #include "ball_polynomial.hpp"
 #include "libration/ode/ball/step_pieces.hpp"
 
 namespace libration::ode {
-
-namespace {
-
-// sum_b |V_ib| r_b, V_ib the part of row i in block b.
-magnitude reach_of_row(const std::vector<ball>& row, const std::vector<std::size_t>& blocks,
-                       const std::vector<magnitude>& radii) {
-    magnitude sum;
-    std::size_t column = 0;
-    for (std::size_t b = 0; b < blocks.size(); ++b) {
-        magnitude norm(row[column++]);
-        for (std::size_t k = 1; k < blocks[b]; ++k) {
-            norm = hypotenuse(norm, magnitude(row[column++]));
-        }
-        sum.add_product(norm, radii[b]);
-    }
-    return sum;
-}
-
-}  // namespace
-
-magnitude tube_set::reach(std::size_t i) const {
-    std::vector<ball> row;
-    for (const auto& each : columns) {
-        row.push_back(each[i]);
-    }
-    return reach_of_row(row, blocks, radii) + added[i];
-}
 
 std::vector<ball> solution_tube::values_at(const ball& distance) const {
     const ball part = distance / on.length;
@@ -57,25 +32,23 @@ std::vector<ball> solution_tube::values_at(const ball& distance) const {
 tube_set solution_tube::end(long bits, long frame_bits) const {
     const precision_scope scope(decimal_digits(bits));
     const std::size_t n = curve.size();
-    tube_set set;
-    set.blocks = blocks;
-    set.radii = last;
-    set.slow = slow;
-    set.columns.resize(n);
+    std::vector<ball> centre;
+    ball_matrix columns(n);
+    std::vector<magnitude> rounding;
     for (std::size_t i = 0; i < n; ++i) {
         const ball value = shifted(value_of(curve[i], ball(1)), scales[i]);
         ball rounded_value = midpoint_alone(value);
         arf_set_round(arb_midref(rounded_value.handle()), arb_midref(rounded_value.handle()), ball::working_bits(),
                       ARF_RND_NEAR);
-        set.added.emplace_back(value - rounded_value);
-        set.centre.push_back(std::move(rounded_value));
+        rounding.emplace_back(value - rounded_value);
+        centre.push_back(std::move(rounded_value));
         for (std::size_t j = 0; j < n; ++j) {
             ball entry = shifted(value_of(frame[i * n + j], ball(1)), scales[i]);
             arb_set_round(entry.handle(), entry.handle(), frame_bits);
-            set.columns[j].push_back(std::move(entry));
+            columns[j].push_back(std::move(entry));
         }
     }
-    return set;
+    return {{std::move(centre), error_set(std::move(columns), blocks, last, std::move(rounding))}, slow};
 }
 
 }  // namespace libration::ode

@@ -268,6 +268,7 @@ bool tube_proof::bound_linear_part(const tube_candidate& of, bounds& to) {
 
 std::optional<std::vector<magnitude>> tube_proof::start_radii(const tube_candidate& of, const tube_set& start) const {
     const std::size_t n = map_.size();
+    const error_set& errors = start.errors;
     dense_matrix frame(n, n);
     std::vector<ball> gap;
     for (std::size_t i = 0; i < n; ++i) {
@@ -285,25 +286,25 @@ std::optional<std::vector<magnitude>> tube_proof::start_radii(const tube_candida
     for (std::size_t i = 0; i < n; ++i) {
         beside[i] = magnitude(of_gap[i]);
         for (std::size_t k = 0; k < n; ++k) {
-            beside[i].add_product(magnitude((*back)(i, k)), start.added[k].shifted(-of.scales[k]));
+            beside[i].add_product(magnitude((*back)(i, k)), errors.added()[k].shifted(-of.scales[k]));
         }
     }
-    dense_matrix old(n, start.columns.size());
-    for (std::size_t j = 0; j < start.columns.size(); ++j) {
+    dense_matrix old(n, errors.columns().size());
+    for (std::size_t j = 0; j < errors.columns().size(); ++j) {
         for (std::size_t i = 0; i < n; ++i) {
-            old(i, j) = shifted(start.columns[j][i], -of.scales[i]);
+            old(i, j) = shifted(errors.columns()[j][i], -of.scales[i]);
         }
     }
     bound_matrix turned;
     for (const ball& each : product(*back, old).entries) {
         turned.emplace_back(each);
     }
-    const auto old_blocks = blocks_of(start.blocks);
+    const auto old_blocks = blocks_of(errors.blocks());
     std::vector<magnitude> radii;
     for (const column_block& b : blocks_of(of.frame.blocks)) {
         magnitude sum = norm_of(beside.data(), b);
         for (std::size_t c = 0; c < old_blocks.size(); ++c) {
-            sum.add_product(norm_of(turned, start.columns.size(), b, old_blocks[c]), start.radii[c]);
+            sum.add_product(norm_of(turned, errors.columns().size(), b, old_blocks[c]), errors.radii()[c]);
         }
         radii.push_back(sum);
     }

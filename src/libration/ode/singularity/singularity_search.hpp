@@ -12,6 +12,9 @@ namespace libration::ode {
 
 using plane_point = std::complex<double>;
 
+inline complex_number<double> as_number(const plane_point& z) { return {z.real(), z.imag()}; }
+inline plane_point as_point(const complex_number<double>& z) { return {z.re, z.im}; }
+
 /// Indices of unknowns and lower derivatives that are usually singular at the same points: those of a strongly
 /// connected component.
 using leaf_group = std::vector<std::size_t>;
@@ -48,6 +51,11 @@ public:
 private:
     using complex = complex_number<double>;
 
+    static constexpr int search_order = 44;
+    // Fractions of a radius: up to which values are used, and up to which the series is taken to converge.
+    static constexpr double search_step = 0.5;
+    static constexpr double believed_part = 0.8;
+
     struct point {
         plane_point at;
         double radius;
@@ -66,6 +74,11 @@ private:
     void add_expanded(const plane_point& at, int parent);
     bool crosses_cut(const plane_point& from, const plane_point& to) const;
     bool is_explained(const cell& of) const;
+    static std::vector<complex> values_at(const point& of, const plane_point& at);
+    std::vector<plane_point> path_to(int index) const;
+    plane_point folded(plane_point z, bool& mirrored, int& turns) const;
+
+    // singularity_approach.cpp
     void look_at_last();
     bool look_at(std::size_t group);
     void return_to(const point& of);
@@ -76,9 +89,6 @@ private:
     plane_point on_axis(const plane_point& z, double reach) const;
     std::optional<candidate> loop_round(const plane_point& centre, std::size_t group);
     bool is_changed(const point& before, const point& after, const leaf_group& of) const;
-    static std::vector<complex> values_at(const point& of, const plane_point& at);
-    std::vector<plane_point> path_to(int index) const;
-    plane_point folded(plane_point z, bool& mirrored, int& turns) const;
 
     struct refusal {
         plane_point at;

@@ -20,18 +20,19 @@ constexpr int latest_time_of_sides = 100'000;
 std::optional<side> side_of(const equation_system& system, long bits, const state_test& decided, const ball& least) {
     proved_march march(explicit_system(system), bits);
     march.weigh_by_errors();
-    while (march.prepare() && certainly_less(march.reached(), ball(latest_time_of_sides))) {
-        if (const auto found = decided(march.values_at(ball(0)))) {
+    for (const proved_step* step = march.prepare();
+         step != nullptr && certainly_less(march.reached(), ball(latest_time_of_sides)); step = march.prepare()) {
+        if (const auto found = decided(step->values_at(ball(0)))) {
             return found;
         }
-        const ball piece = march.length().exact() / pieces_of_a_step;
+        const ball piece = step->length().exact() / pieces_of_a_step;
         for (int k = 0; k < pieces_of_a_step; ++k) {
-            const auto values = march.values_at(hull(piece * k, piece * (k + 1)));
+            const auto values = step->values_at(hull(piece * k, piece * (k + 1)));
             if (!certainly_less(least, values[1])) {
                 return std::nullopt;
             }
         }
-        march.step(1);
+        march.take(*step, 1);
     }
     return std::nullopt;
 }
@@ -48,7 +49,7 @@ mpfr missed(const equation_system& system, const std::string& name, const mpfr& 
 mpfr shot(const equation_system& given, const std::string& name, int target, const std::function<int(long)>& time) {
     const definition* const guess = given.parameter_of(name);
     if (guess == nullptr) {
-        throw error(error_kind::undecided, "problem", "", "has no parameter " + name);
+        throw error(error_kind::argument, "problem", "", "has no parameter " + name);
     }
     const number start = with_values(guess->value, given).constant();
     mpfr value = constant_value<mpfr>::of(start);

@@ -1,4 +1,4 @@
-#include "libration/ode/proved/frame.hpp"
+#include "libration/ode/rigorous/error_set.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -144,46 +144,84 @@ ball_matrix product(const ball_matrix& a, const ball_matrix& b) {
     return result;
 }
 
-error_frame::error_frame(std::vector<magnitude> widths) : widths_(std::move(widths)), added_(widths_.size()) {
+magnitude reach_of_row(const std::vector<ball>& row, const std::vector<std::size_t>& blocks,
+                       const std::vector<magnitude>& radii) {
+    magnitude sum;
+    std::size_t column = 0;
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        magnitude norm(row[column++]);
+        for (std::size_t k = 1; k < blocks[b]; ++k) {
+            norm = hypotenuse(norm, magnitude(row[column++]));
+        }
+        sum.add_product(norm, radii[b]);
+    }
+    return sum;
+}
+
+error_set::error_set(std::vector<magnitude> radii)
+    : blocks_(radii.size(), 1), radii_(std::move(radii)), added_(radii_.size()) {
     for (std::size_t i = 0; i < size(); ++i) {
         columns_.push_back(unit_vector(size(), i));
     }
 }
 
-magnitude error_frame::reach(std::size_t i) const {
-    magnitude sum = added_[i];
-    for (std::size_t j = 0; j < size(); ++j) {
-        sum += magnitude(columns_[j][i]) * widths_[j];
+magnitude error_set::reach(std::size_t i) const {
+    column row;
+    for (const column& each : columns_) {
+        row.push_back(each[i]);
     }
-    return sum;
+    return reach_of_row(row, blocks_, radii_) + added_[i];
 }
 
-magnitude error_frame::reach(const ball_matrix& map, std::size_t i) const {
+magnitude error_set::reach(const ball_matrix& map, std::size_t i) const {
+    column row;
     magnitude sum;
     for (std::size_t j = 0; j < size(); ++j) {
-        sum += magnitude(dot(map[i], columns_[j])) * widths_[j];
-        sum += magnitude(map[i][j]) * added_[j];
+        sum.add_product(magnitude(map[i][j]), added_[j]);
     }
-    return sum;
+    for (const column& each : columns_) {
+        row.push_back(dot(map[i], each));
+    }
+    return sum + reach_of_row(row, blocks_, radii_);
 }
 
-error_frame error_frame::image(const ball_matrix& map, const std::vector<magnitude>& added) const {
-    error_frame result(widths_);
-    for (std::size_t i = 0; i < size(); ++i) {
-        for (std::size_t j = 0; j < size(); ++j) {
-            result.columns_[j][i] = dot(map[i], columns_[j]);
-            if (!is_finite(result.columns_[j][i])) {
-                throw precision_exhausted("an error map");
-            }
-            result.added_[i] += magnitude(map[i][j]) * added_[j];
-        }
-        result.added_[i] += added[i];
+std::vector<magnitude> error_set::radii_of_columns() const {
+    std::vector<magnitude> result;
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+        result.insert(result.end(), blocks_[b], radii_[b]);
     }
     return result;
 }
 
-error_frame error_frame::settled(const std::vector<long>& scales) const {
+void error_set::add_coordinate(const std::vector<ball>& row, magnitude added) {
+    for (std::size_t j = 0; j < row.size(); ++j) {
+        added.add_product(magnitude(row[j]), added_[j]);
+    }
+    for (column& each : columns_) {
+        each.push_back(dot(row, each));
+    }
+    added_.push_back(added);
+}
+
+error_set error_set::image(const ball_matrix& map, const std::vector<magnitude>& added) const {
+    error_set result(ball_matrix(columns_.size()), blocks_, radii_, added);
+    for (std::size_t i = 0; i < size(); ++i) {
+        for (std::size_t j = 0; j < columns_.size(); ++j) {
+            result.columns_[j].push_back(dot(map[i], columns_[j]));
+            if (!is_finite(result.columns_[j][i])) {
+                throw precision_exhausted("an error map");
+            }
+        }
+        for (std::size_t j = 0; j < size(); ++j) {
+            result.added_[i].add_product(magnitude(map[i][j]), added_[j]);
+        }
+    }
+    return result;
+}
+
+error_set error_set::settled(const std::vector<long>& scales) const {
     const auto scale_of = [&](std::size_t i) { return scales.empty() ? 0 : scales[i]; };
+    const std::vector<magnitude> radii = radii_of_columns();
     std::vector<column> midpoints(size());
     std::vector<column> scaled(size());
     std::vector<magnitude> lengths(size());
@@ -196,25 +234,25 @@ error_frame error_frame::settled(const std::vector<long>& scales) const {
         for (std::size_t j = 0; j < size(); ++j) {
             scaled[j].push_back(ldexp(columns_[j][i], -scale_of(i)));
             midpoints[j].push_back(is_zero ? ball(0) : exact_midpoint(scaled[j][i]));
-            lengths[j] += magnitude(scaled[j][i]) * widths_[j];
+            lengths[j] += magnitude(scaled[j][i]) * radii[j];
         }
     }
     std::vector<std::size_t> order(size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return lengths[b] < lengths[a]; });
-    error_frame result(widths_);
+    error_set result(radii);
     result.columns_ = orthogonal_factor().of(midpoints, order, zero);
     const ball_matrix back = inverse(result.columns_);
     for (std::size_t i = 0; i < size(); ++i) {
-        magnitude width;
+        magnitude radius;
         for (std::size_t j = 0; j < size(); ++j) {
-            width += magnitude(dot(back[i], scaled[j])) * widths_[j];
-            width += magnitude(back[i][j]) * added_[j] * magnitude::of(1, -scale_of(j));
+            radius += magnitude(dot(back[i], scaled[j])) * radii[j];
+            radius += magnitude(back[i][j]) * added_[j] * magnitude::of(1, -scale_of(j));
         }
-        result.widths_[i] = width;
+        result.radii_[i] = radius;
     }
     for (std::size_t k = 0; k < zero.size(); ++k) {
-        result.widths_[order[size() - zero.size() + k]] = magnitude();
+        result.radii_[order[size() - zero.size() + k]] = magnitude();
     }
     for (column& each : result.columns_) {
         for (std::size_t i = 0; i < size(); ++i) {
@@ -222,6 +260,14 @@ error_frame error_frame::settled(const std::vector<long>& scales) const {
         }
     }
     return result;
+}
+
+std::vector<ball> state_set::hull() const {
+    std::vector<ball> box;
+    for (std::size_t i = 0; i < centre.size(); ++i) {
+        box.push_back(widened(centre[i] + 0, reach(i)));
+    }
+    return box;
 }
 
 }  // namespace libration::ode

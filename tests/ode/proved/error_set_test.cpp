@@ -1,5 +1,5 @@
 // Sets of errors: what a map makes of their points lies in the moved set.
-#include "libration/ode/proved/frame.hpp"
+#include "libration/ode/rigorous/error_set.hpp"
 
 #include <catch2/catch.hpp>
 #include <vector>
@@ -8,7 +8,7 @@
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 
-namespace ode_proved_frame_test {
+namespace ode_proved_error_set_test {
 
 using namespace libration;
 using namespace libration::ode;
@@ -24,7 +24,7 @@ ball some(tests::corner_numbers& random) {
 }
 
 // Whether the set is moved in so few digits: maps whose rows are nearly parallel are refused then.
-bool moves(error_frame& set, const ball_matrix& map, const std::vector<magnitude>& added, long digits) {
+bool moves(error_set& set, const ball_matrix& map, const std::vector<magnitude>& added, long digits) {
     const precision_scope few(digits);
     try {
         set = set.moved(map, added);
@@ -40,10 +40,10 @@ std::vector<ball> coordinates(const ball_matrix& q, const std::vector<ball>& x) 
     return {(q[1][1] * x[0] - q[1][0] * x[1]) / determinant, (q[0][0] * x[1] - q[0][1] * x[0]) / determinant};
 }
 
-bool holds(const error_frame& set, const std::vector<ball>& x) {
+bool holds(const error_set& set, const std::vector<ball>& x) {
     const auto inside = coordinates(set.columns(), x);
-    return !certainly_less(set.widths()[0].exact(), abs(inside[0])) &&
-           !certainly_less(set.widths()[1].exact(), abs(inside[1]));
+    return !certainly_less(set.radii()[0].exact(), abs(inside[0])) &&
+           !certainly_less(set.radii()[1].exact(), abs(inside[1]));
 }
 
 }  // namespace
@@ -56,11 +56,11 @@ TEST_CASE("a moved frame holds the images of the corners", "[ode][proved]") {
     int undecided = 0;
     for (int run = 0; run < 200; ++run) {
         const precision_scope exactly(400);
-        error_frame set({magnitude::of(1 + random.below(1000), -60), magnitude::of(1 + random.below(1000), -50)});
+        error_set set({magnitude::of(1 + random.below(1000), -60), magnitude::of(1 + random.below(1000), -50)});
         std::vector<std::vector<ball>> corners;
         for (const int a : {-1, 1}) {
             for (const int b : {-1, 1}) {
-                corners.push_back({set.widths()[0].exact() * a, set.widths()[1].exact() * b});
+                corners.push_back({set.radii()[0].exact() * a, set.radii()[1].exact() * b});
             }
         }
         for (int step = 0; step < 12; ++step) {
@@ -96,11 +96,11 @@ TEST_CASE("a moved frame holds the images of the corners in any scales", "[ode][
         const precision_scope exactly(2000);
         std::vector<long> scales = {random.between(-1500, 1500), random.between(-1500, 1500)};
         const auto in_scales = [&](std::size_t i) { return magnitude::of(1 + random.below(1000), scales[i] - 50); };
-        error_frame set({in_scales(0), in_scales(1)});
+        error_set set({in_scales(0), in_scales(1)});
         std::vector<std::vector<ball>> corners;
         for (const int a : {-1, 1}) {
             for (const int b : {-1, 1}) {
-                corners.push_back({set.widths()[0].exact() * a, set.widths()[1].exact() * b});
+                corners.push_back({set.radii()[0].exact() * a, set.radii()[1].exact() * b});
             }
         }
         for (int step = 0; step < 8; ++step) {
@@ -138,7 +138,7 @@ TEST_CASE("a moved frame holds the images of the corners in any scales", "[ode][
 TEST_CASE("a coordinate that is 0 remains 0, and one that is not does not", "[ode][proved]") {
     const precision_scope few(20);
     const magnitude some_width = magnitude::of(3, -40);
-    error_frame set({some_width, magnitude(), some_width});
+    error_set set({some_width, magnitude(), some_width});
     // The second coordinate depends on itself alone, and the others on it.
     const ball_matrix map = {
         {ball(1) / 3, ball(5), ball(2)}, {ball(0), ball(7) / 3, ball(0)}, {ball(-1), ball(1), ball(1)}};
@@ -149,7 +149,7 @@ TEST_CASE("a coordinate that is 0 remains 0, and one that is not does not", "[od
     }
     CHECK_FALSE(set.moved(map, {some_width, some_width, some_width}).reach(1).is_zero());
     const ball_matrix mixed = {{ball(1), ball(0), ball(0)}, {ball(1), ball(1), ball(0)}, {ball(0), ball(0), ball(1)}};
-    const error_frame stirred = set.moved(mixed, {magnitude(), magnitude(), magnitude()});
+    const error_set stirred = set.moved(mixed, {magnitude(), magnitude(), magnitude()});
     CHECK(set.reach(0) <= stirred.reach(1) * magnitude(2U));
 }
 
@@ -158,7 +158,7 @@ TEST_CASE("a turning set does not grow", "[ode][proved]") {
     const precision_scope few(20);
     const ball angle = ball(2) / 5;
     const ball_matrix turn = {{cos(angle), -sin(angle)}, {sin(angle), cos(angle)}};
-    error_frame set({magnitude::of(1, -40), magnitude::of(1, -60)});
+    error_set set({magnitude::of(1, -40), magnitude::of(1, -60)});
     for (int step = 0; step < 1000; ++step) {
         set = set.moved(turn, {magnitude(), magnitude()});
     }
@@ -168,10 +168,10 @@ TEST_CASE("a turning set does not grow", "[ode][proved]") {
 
 TEST_CASE("a point stays a point", "[ode][proved]") {
     const precision_scope few(20);
-    error_frame set({magnitude(), magnitude()});
+    error_set set({magnitude(), magnitude()});
     set = set.moved({{ball(3), ball(1)}, {ball(1), ball(3)}}, {magnitude(), magnitude()});
     CHECK(set.reach(0).is_zero());
     CHECK(set.reach(1).is_zero());
 }
 
-}  // namespace ode_proved_frame_test
+}  // namespace ode_proved_error_set_test
