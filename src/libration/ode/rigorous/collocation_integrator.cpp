@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "collocation_solver.hpp"
 #include "libration/ode/ball/step_pieces.hpp"
@@ -85,7 +86,7 @@ struct collocation_integrator::parts {
         }
         const double factor = safety * solver->factor();
         auto candidate = solver->candidate();
-        auto proved = candidate ? proof->tube(*candidate, set) : std::nullopt;
+        auto proved = candidate ? rule(*proof, *candidate, set) : std::nullopt;
         if (!proved) {
             change_length(0.5);
             return false;
@@ -108,6 +109,9 @@ struct collocation_integrator::parts {
     ball time, next;
     tube_set set;
     std::optional<solution_tube> tube;
+    tube_rule rule = [](tube_proof& by, const tube_candidate& found, const tube_set& start) {
+        return by.tube(found, start);
+    };
     double grown = 1;
     int without_fast = 0;
 };
@@ -115,6 +119,8 @@ struct collocation_integrator::parts {
 collocation_integrator::collocation_integrator(const lifted_system& of, long bits, int more_terms)
     : parts_(std::make_unique<parts>(of, bits, more_terms)) {}
 collocation_integrator::~collocation_integrator() = default;
+
+void collocation_integrator::prove_by(tube_rule rule) { parts_->rule = std::move(rule); }
 
 bool collocation_integrator::is_smooth_over(const ball& time, const std::vector<ball>& state,
                                             const ball& length) const {
