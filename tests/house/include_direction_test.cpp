@@ -59,8 +59,9 @@ std::map<std::string, rooms> order_of_rooms() {
         time = energy + rooms{"pendulum/time"}, solution = time + rooms{"pendulum/solution"},
         singularity = solution + rooms{"pendulum/singularity"}, taylor = singularity + rooms{"pendulum/taylor"},
         arc = taylor + rooms{"pendulum/arc"},
-        proofs = balls + functions + rooms{"function/ball",   "approximant/proved", "elliptic/proved", "ode/ball",
-                                           "ode/singularity", "ode/rigorous",       "ode/proved"},
+        proofs = balls + functions +
+                 rooms{"function/ball",   "approximant/proved", "elliptic/proved",          "ode/ball",
+                       "ode/singularity", "ode/rigorous",       "ode/rigorous/certificate", "ode/proved"},
         numerical = arc + rooms{"pendulum/numerical"},
         pendulum = numerical + proofs +
                    rooms{"pendulum", "pendulum/proved", "pendulum/sampler", "pendulum/error", "pendulum/error/proved"},
@@ -100,6 +101,7 @@ std::map<std::string, rooms> order_of_rooms() {
         {"ode/ball", ode + balls + rooms{"function/ball"}},
         {"ode/singularity", ode},
         {"ode/rigorous", ode + balls + rooms{"ode/ball"}},
+        {"ode/rigorous/certificate", ode + balls + rooms{"ode/ball", "ode/rigorous"}},
         {"ode/proved", ode + balls + rooms{"ode/ball", "ode/rigorous", "ode/singularity"}},
         {"elliptic", digits},
         {"elliptic/proved", elliptic + balls},

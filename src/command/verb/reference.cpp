@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "equation/certificate_file.hpp"
 #include "equation/integrator_options.hpp"
 #include "equation/problem_options.hpp"
 #include "equation/problem_trajectory.hpp"
@@ -36,7 +37,7 @@ struct reference_options {
     integrator_options integrator;
     output_options output;
     event_options events;
-    std::optional<std::string> digits, times, motions, columns, jobs, trace;
+    std::optional<std::string> digits, times, motions, columns, jobs, trace, certificate;
     bool check = false;
 };
 
@@ -175,11 +176,14 @@ void refuse_motions(const reference_options& options) {
     }
 }
 
-// Throws for --integrator and --trace if nothing is integrated to given times.
+// Throws for --integrator, --trace and --certificate if nothing is integrated to given times.
 void require_no_integration(const reference_options& options, const std::string& reason) {
     options.integrator.require_absent(reason);
     if (options.trace) {
         throw input_error("--trace", *options.trace, reason, "leave it out");
+    }
+    if (options.certificate) {
+        throw input_error("--certificate", *options.certificate, reason, "leave it out");
     }
 }
 
@@ -226,7 +230,7 @@ asked_solution problem_of_options(const reference_options& options, std::unique_
 
 std::vector<asked_solution> asked_by(const reference_options& options, long digits) {
     std::vector<asked_solution> asked;
-    if (auto of = options.problem.solution(options.integrator.integrates())) {
+    if (auto of = options.problem.solution(options.integrator.integrates() || options.certificate)) {
         asked.push_back(problem_of_options(options, std::move(of)));
     } else if (options.motions) {
         asked = motions_of_file(options);
@@ -234,6 +238,19 @@ std::vector<asked_solution> asked_by(const reference_options& options, long digi
         asked.push_back(motion_of_options(options, digits));
     }
     return asked;
+}
+
+// After the values themselves, which do not depend on it.
+void certify(const reference_options& options, const asked_solution& asked, const table& states, long digits) {
+    progress shown("certificate", progress_of_part::steps);
+    progress_of_part to(shown);
+    const request how{.scalar = {scalar_kind::proved, digits},
+                      .progress = [&](double part) { to(part); },
+                      .reached = [&](double time, long bits) { to.reached(time, bits); }};
+    const std::string content =
+        certificate_of_states(*options.certificate, options.problem.choose(), asked.times, states, how);
+    write_certificate(*options.certificate, content);
+    to(1);
 }
 
 // On all cores if there are several solutions.
@@ -286,6 +303,9 @@ int run_reference(const reference_options& options) {
     }
     options.integrator.state(found.collocation);
     require_complete(found);
+    if (options.certificate) {
+        certify(options, asked.front(), found.rows, digits);
+    }
     return 0;
 }
 
@@ -313,6 +333,10 @@ subcommand reference_command(CLI::App& program) {
     command
         ->add_option("--trace", options->trace,
                      "with --problem: a CSV file with the steps of the integration, written also if it fails")
+        ->type_name("FILE");
+    command
+        ->add_option("--certificate", options->certificate,
+                     "with --problem: a file from which check/libration_check.py proves the values again, in integers")
         ->type_name("FILE");
     command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");
     options->events.add_to(*command);

@@ -92,19 +92,20 @@ std::string text_of(const certificate_step& step) {
            joined(step.inverse_bits, number) + "\n" + lists_text(step.inverse) + radii_text(step);
 }
 
-[[noreturn]] void refuse_time(const rational& time, const std::string& reason) {
-    throw error(error_kind::undecided, "certificate", time.str(), reason);
-}
-
 // One integration through all times, in order of their distance from the initial point.
 class certified_run {
 public:
-    certified_run(const explicit_system& system, const lifted_system& form, long bits)
-        : form_(form), integrator_(form, bits), map_(form), rounding_(integrator_.bits() + more_bits_of_bounds) {
+    certified_run(const explicit_system& system, const lifted_system& form, long bits, bool rounds)
+        : form_(form),
+          integrator_(form, bits),
+          map_(form),
+          rounding_(bits - guard_of_first_run, integrator_.bits() + more_bits_of_bounds) {
         bits_ = integrator_.bits() + 2L * integrator_.degree() + more_bits_of_bounds;
-        integrator_.prove_by([this](tube_proof& by, const tube_candidate& found, const tube_set& start) {
-            return rounding_.tube(by, found, start);
-        });
+        if (rounds) {
+            integrator_.prove_by([this](tube_proof& by, const tube_candidate& found, const tube_set& start) {
+                return rounding_.tube(by, found, start);
+            });
+        }
         const precision_scope scope(decimal_digits(bits_));
         time_ = constant_value<ball>::of(system.point());
         for (const auto& values : system.starts()) {
@@ -170,8 +171,10 @@ private:
         if (!integrator_.prepare()) {
             return false;
         }
-        text_ += text_of(rounding_.step());
-        ++steps_;
+        if (rounding_.step()) {
+            text_ += text_of(*rounding_.step());
+            ++steps_;
+        }
         return true;
     }
 
@@ -273,32 +276,32 @@ std::string certificate_of(const explicit_system& system, const std::vector<clai
     const auto ordered = in_order_of_time(system, values);
     const auto names = names_of_state(system);
     long bits = std::lround(static_cast<double>(digits) * bits_of_digit) + guard_of_first_run;
+    bool rounds = false;
     for (int run = 0; run < most_runs && bits <= most_bits; ++run) {
-        certified_run by(system, form, bits);
-        if (!by.begin(ordered.back()->time)) {
-            refuse_time(*system.point().fraction(), "has no proved step at the initial time");
-        }
+        certified_run by(system, form, bits, rounds);
+        const precision_scope scope(decimal_digits(by.bits_of_bounds()));
         long lacking = 0;
         std::string claims;
-        for (const claimed_value* each : ordered) {
-            const auto state = by.at(each->time, watch);
-            if (!state) {
-                const precision_scope scope(20);
-                refuse_time(each->time, "is not reached by steps that are proved: the last one ends at " +
-                                            to_decimal(midpoint_of(by.reached()), 12));
-            }
-            lacking = std::max(lacking, lacking_bits((*state)[each->place], each->in));
-            claims += "claim " + each->time.str() + " " + names[each->place] + " " + each->in.lower + " " +
-                      each->in.upper + "\n";
+        bool proved = by.begin(ordered.back()->time);
+        for (std::size_t k = 0; proved && k < ordered.size(); ++k) {
+            const claimed_value& each = *ordered[k];
+            const auto state = by.at(each.time, watch);
+            proved = state.has_value();
+            lacking = std::max(lacking, proved ? lacking_bits((*state)[each.place], each.in) : 0);
+            claims +=
+                "claim " + each.time.str() + " " + names[each.place] + " " + each.in.lower + " " + each.in.upper + "\n";
         }
-        if (lacking == 0) {
+        if (rounds && proved && lacking == 0) {
             return "libration-certificate 1\n" + head + "bits " + std::to_string(by.bits_of_bounds()) + " " +
                    std::to_string(by.bits_of_bounds() + more_bits_of_bounds) + "\n" + claims + "steps " +
                    std::to_string(by.steps()) + "\n" + by.text() + "end\n";
         }
-        bits += lacking;
+        rounds = proved && lacking == 0;
+        bits += proved ? lacking : bits / 4;
     }
-    refuse_time(ordered.back()->time, "has values that are not proved within the limits of the precision");
+    throw error(error_kind::undecided, "certificate", ordered.back()->time.str(),
+                "has values that are not proved by collocation within the limits of the precision, or steps that are "
+                "not: ask for fewer digits or an earlier time");
 }
 
 }  // namespace libration::ode

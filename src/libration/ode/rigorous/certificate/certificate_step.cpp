@@ -73,13 +73,16 @@ ball_polynomial exact_powers(const integer_list& of, long bits) {
     return result;
 }
 
-// Whether the radii at the end are at most (1 + 2^loss) times those of the polynomials that are not rounded.
-bool keeps_radii(const std::optional<solution_tube>& rounded, const solution_tube& reference, long loss) {
+// Whether the radii at the end are negligible or at most (1 + 2^loss) times those of the polynomials that are not
+// rounded.
+bool keeps_radii(const std::optional<solution_tube>& rounded, const solution_tube& reference, long loss,
+                 const magnitude& negligible) {
     if (!rounded) {
         return false;
     }
     for (std::size_t b = 0; b < reference.last.size(); ++b) {
-        if (!(rounded->last[b] <= reference.last[b] + reference.last[b].shifted(loss))) {
+        const magnitude most = reference.last[b] + reference.last[b].shifted(loss);
+        if (!(rounded->last[b] <= std::max(most, negligible))) {
             return false;
         }
     }
@@ -90,8 +93,8 @@ bool keeps_radii(const std::optional<solution_tube>& rounded, const solution_tub
 
 // The polynomials of a step, rounded in parts.
 struct step_rounding::attempt {
-    attempt(tube_proof& prover, const tube_candidate& candidate, const tube_set& set)
-        : by(prover), found(candidate), start(set) {
+    attempt(tube_proof& prover, const tube_candidate& candidate, const tube_set& set, magnitude least)
+        : by(prover), found(candidate), start(set), negligible(std::move(least)) {
         const auto all = [&](const std::vector<ball_polynomial>& of) {
             std::vector<std::vector<ball>> result;
             for (const ball_polynomial& each : of) {
@@ -152,7 +155,7 @@ struct step_rounding::attempt {
         const auto keeps = [&](long bits) {
             tube_candidate candidate = found;
             try_bits(candidate, bits);
-            return keeps_radii(by.tube(candidate, start), reference, loss);
+            return keeps_radii(by.tube(candidate, start), reference, loss, negligible);
         };
         long bits = std::min(guess, most);
         if (keeps(bits)) {
@@ -170,6 +173,7 @@ struct step_rounding::attempt {
     tube_proof& by;
     const tube_candidate& found;
     const tube_set& start;
+    magnitude negligible;
     std::vector<std::vector<ball>> curve, frame, inverse;
     certificate_step step;
 };
@@ -180,7 +184,7 @@ std::optional<solution_tube> step_rounding::tube(tube_proof& by, const tube_cand
         return std::nullopt;
     }
     const precision_scope scope(decimal_digits(by.bits()));
-    attempt here(by, found, start);
+    attempt here(by, found, start, magnitude::of(1, -negligible_bits_));
     exponents bits;
     bits.curve = here.least_bits(last_.curve, most_bits_, loss_of_curve, *reference,
                                  [&](tube_candidate& to, long k) { here.round_curve(to, k); });
@@ -192,17 +196,17 @@ std::optional<solution_tube> step_rounding::tube(tube_proof& by, const tube_cand
                                      [&](tube_candidate& to, long k) { here.round_inverse(to, finest_frame, k); });
     last_ = bits;
     auto proved = here.rounded(bits);
-    while (!keeps_radii(proved, *reference, loss_of_curve + 1) && bits.frame < finest_frame) {
+    while (!keeps_radii(proved, *reference, loss_of_curve + 1, here.negligible) && bits.frame < finest_frame) {
         bits = {std::min(bits.curve + 1, most_bits_), bits.frame + 1, bits.slow_rows + 1, bits.fast_rows + 1};
         proved = here.rounded(bits);
     }
     if (proved) {
+        here.step.length = found.on.length;
+        here.step.scales = found.scales;
+        here.step.blocks = found.frame.blocks;
+        here.step.first = proved->first;
+        here.step.last = proved->last;
         step_ = std::move(here.step);
-        step_.length = found.on.length;
-        step_.scales = found.scales;
-        step_.blocks = found.frame.blocks;
-        step_.first = proved->first;
-        step_.last = proved->last;
     }
     return proved;
 }

@@ -18,8 +18,8 @@ struct certificate_step {
     ball length;
     std::vector<long> scales;
     std::vector<std::size_t> blocks;
-    long curve_bits = 0;           ///< the exponent of p
-    std::vector<long> frame_bits;  ///< of each column of V
+    long curve_bits = 0;             ///< the exponent of p
+    std::vector<long> frame_bits;    ///< of each column of V
     std::vector<long> inverse_bits;  ///< of each row of W
     std::vector<integer_list> curve, frame, inverse;
     std::vector<magnitude> first, last;
@@ -29,12 +29,13 @@ struct certificate_step {
 /// without an essential loss of the radii, and proves the tube from the rounded ones.
 class step_rounding {
 public:
-    /// Polynomials have at most so many bits behind the point.
-    explicit step_rounding(long most_bits) : most_bits_(most_bits) {}
+    /// Radii of scaled unknowns below 2^-negligible_bits need not be smaller; polynomials have at most most_bits behind
+    /// the point.
+    step_rounding(long negligible_bits, long most_bits) : negligible_bits_(negligible_bits), most_bits_(most_bits) {}
 
     std::optional<solution_tube> tube(tube_proof& by, const tube_candidate& found, const tube_set& start);
-    /// The last step for which a tube was proved.
-    const certificate_step& step() const { return step_; }
+    /// The last step for which a tube was proved; std::nullopt before the first.
+    const std::optional<certificate_step>& step() const { return step_; }
 
 private:
     /// Exponents of p, of slow columns of V, of slow and of fast rows of W.
@@ -43,9 +44,9 @@ private:
     };
     struct attempt;
 
-    long most_bits_;
+    long negligible_bits_, most_bits_;
     exponents last_;
-    certificate_step step_;
+    std::optional<certificate_step> step_;
 };
 
 }  // namespace libration::ode
