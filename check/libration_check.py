@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
 """libration_check.py FILE: checks a certificate of values of a differential equation and prints the proved statement.
 
-The format, the theorem and its conditions are in docs/certificates.md. Integers and fractions only. Exit status: 0 if
-the statement is proved, 1 if it is not, 2 if the file cannot be read.
+The format and the theorem are in docs/certificates.md. Integers and fractions only. Exit status: 0 if it is proved.
 
 A polynomial in x on [-1, 1] is a list a of integers, with an exponent k that is kept apart:
     2^-k (a[0] + sum over j > 0 of 2 a[j] T_j(x)) = 2^-k (sum over |j| < len(a) of a[|j|] z^j),   x = (z + 1/z)/2,
@@ -14,40 +13,26 @@ import re
 import sys
 import zlib
 from fractions import Fraction
+from itertools import zip_longest
 
-LIMIT = 10**5              # of exponents and numbers of bits
 PARTS = 8                  # of a step, on each of which the rate of a mode is bounded
 ONE = Fraction(1)
 
-
 class Refused(Exception):
-    """The reason why the statement is not proved."""
-
+    pass
 
 def need(condition, reason):
     if not condition:
         raise Refused(reason)
 
-
 def two(k):
     return Fraction(2)**k
 
-
-def root_up(x):
-    """An integer >= sqrt(x)."""
+def root_up(x):                                                                         # an integer >= sqrt(x)
     return math.isqrt(x - 1) + 1 if x > 0 else 0
 
-
-# ------------------------------------------------------------------------------------------------ polynomials in x
-def norm(a):
-    """At least |a(x)|."""
+def norm(a):                                                                            # at least |a(x)|
     return 2 * sum(map(abs, a)) - abs(a[0]) if a else 0
-
-
-def top(a):
-    """At least a(x), with its sign."""
-    return norm(a) - abs(a[0]) + a[0] if a else 0
-
 
 def value(a, x):
     """a(x) by Clenshaw's recurrence b_j = a_j + 2 x b_(j+1) - b_(j+2), times powers of the denominator of x."""
@@ -57,27 +42,14 @@ def value(a, x):
         b, power = [c * power + 2 * u * b[0] - v * v * b[1], b[0], b[1]], power * v
     return Fraction(b[0] - v * v * b[2], max(power // v, 1))
 
-
 def derivative(a):
-    d = [0] * (len(a) + 1)
-    for j in range(len(a) - 2, -1, -1):
-        d[j] = d[j + 2] + 2 * (j + 1) * a[j + 1]
-    return d[:max(len(a) - 1, 0)]
-
+    return [sum(2 * k * a[k] for k in range(j + 1, len(a), 2)) for j in range(len(a) - 1)]
 
 def scaled(a, c):
     return [c * x for x in a]
 
-
 def add(a, b):
-    if len(a) < len(b):
-        a, b = b, a
-    return [x + y for x, y in zip(a, b)] + a[len(b):]
-
-
-def at_power(a, w):
-    return sum(c << w * i for i, c in enumerate(a[:0:-1] + a))
-
+    return [x + y for x, y in zip_longest(a, b, fillvalue=0)]
 
 def dot(u, v):
     """The sum of u[i] v[i], by products of values at z = 2^w, w so large that the coefficients can be read off."""
@@ -86,26 +58,21 @@ def dot(u, v):
     w = sum(norm(a) * norm(b) for a, b in pairs).bit_length() + 2
     half, total = 1 << w - 1, sum(1 << w * i + w - 1 for i in range(2 * n - 1))
     for a, b in pairs:
-        total += at_power(a, w) * at_power(b, w) << w * (n - len(a) - len(b) + 1)
+        x, y = [sum(c << w * i for i, c in enumerate(f[:0:-1] + f)) for f in (a, b)]
+        total += x * y << w * (n - len(a) - len(b) + 1)
     return [(total >> w * i & 2 * half - 1) - half for i in range(n - 1, 2 * n - 1)]
 
-
-# ------------------------------------------------------------------------------------------------ formulas
 DERIVATIVES = {"exp": "w", "log": "1/u", "sin": "cos(u)", "cos": "-sin(u)"}
 OPERATORS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Pow: "^"}
-
 
 def formula(text):
     """Nested tuples ("+", a, b), ("*", a, b), ("/", a, b), ("^", a, fraction), (function, a); names; fractions."""
     names = []
-
     def tree(node):
         if isinstance(node, ast.BinOp) and type(node.op) in OPERATORS:
             kind, a, b = OPERATORS[type(node.op)], tree(node.left), tree(node.right)
             if kind == "^":
-                b = as_polynomial(b, {}, {})
-                need(set(b) <= {()}, "an exponent in '%s' is not a number" % text)
-                return kind, a, b.get((), Fraction(0))
+                return kind, a, as_polynomial(b, {}, {}).get((), Fraction(0))
             return ("+", a, ("*", -ONE, b)) if kind == "-" else (kind, a, b)
         if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
             return "*", -ONE, tree(node.operand)
@@ -115,24 +82,13 @@ def formula(text):
             return names[int(node.id[1:])]
         need(isinstance(node, ast.Constant) and type(node.value) is int, "'%s' is not understood" % text)
         return Fraction(node.value)
-
-    def numbered(match):
-        names.append(match.group())
-        return "n%d" % (len(names) - 1)
-    try:
-        code = re.sub(r"(?<!\w)[^\W\d]\w*'*", numbered, text).replace("^", "**")
-        return tree(ast.parse(code, mode="eval").body)
-    except (SyntaxError, ValueError):
-        raise Refused("'%s' is not a formula" % text) from None
-
+    code = re.sub(r"(?<!\w)[^\W\d]\w*'*", lambda m: names.append(m.group()) or "n%d" % (len(names) - 1), text)
+    return tree(ast.parse(code.replace("^", "**"), mode="eval").body)
 
 # A polynomial in the variable (number 0) and the unknowns (1, 2, ...): {sorted tuple of numbers: coefficient}.
-def plus(a, b, c=1):
-    result = dict(a)
-    for m, x in b.items():
-        result[m] = result.get(m, 0) + c * x
+def plus(a, b):
+    result = {m: a.get(m, 0) + b.get(m, 0) for m in {**a, **b}}
     return {m: x for m, x in result.items() if x}
-
 
 def times(a, b):
     result = {}
@@ -140,15 +96,12 @@ def times(a, b):
         result = plus(result, {tuple(sorted(m + k)): x * y for k, y in b.items()})
     return result
 
-
 def power(a, n):
     need(0 <= n <= 100, "an exponent is out of range")
     return times(a, power(a, n - 1)) if n else {(): ONE}
 
-
 def partial(a, k):
     return {m[:m.index(k)] + m[m.index(k) + 1:]: x * m.count(k) for m, x in a.items() if k in m}
-
 
 def as_polynomial(tree, names, added):
     """`names`: polynomials of the names; `added`: those of the added unknowns, by (kind, argument, exponent)."""
@@ -156,7 +109,6 @@ def as_polynomial(tree, names, added):
         key = kind, frozenset(u.items()), exponent
         need(key in added, "no added unknown is defined as the '%s' that an equation needs" % kind)
         return added[key]
-
     if isinstance(tree, Fraction):
         return {(): tree} if tree else {}
     if isinstance(tree, str):
@@ -179,8 +131,6 @@ def as_polynomial(tree, names, added):
     k = max(0, math.ceil(r))
     return times(power(u, k), power(find("^", u, Fraction(-1, r.denominator)), k * r.denominator - r.numerator))
 
-
-# ------------------------------------------------------------------------------------------------ values at the start
 class Enclosures:
     """Values of formulas as pairs (lower, upper) of fractions, functions to about `bits` bits behind the point."""
 
@@ -194,28 +144,24 @@ class Enclosures:
             need(tree in names or tree == "pi", "unknown name '%s'" % tree)
             return names[tree] if tree in names else self.pi()
         kind, (a, b) = tree[0], self.of(tree[1], names)
-        if kind == "+":
+        if kind in ("+", "*", "/"):
             c, d = self.of(tree[2], names)
-            return a + c, b + d
-        if kind in ("*", "/"):
-            c, d = self.of(tree[2], names)
-            need(kind == "*" or c > 0 or d < 0, "a start divides by 0")
-            c, d = (c, d) if kind == "*" else (1 / d, 1 / c)
-            return min(a * c, a * d, b * c, b * d), max(a * c, a * d, b * c, b * d)
+            need(kind != "/" or c > 0 or d < 0, "a start divides by 0")
+            c, d = (1 / d, 1 / c) if kind == "/" else (c, d)
+            four = a * c, a * d, b * c, b * d
+            return (a + c, b + d) if kind == "+" else (min(four), max(four))
         if kind in ("exp", "sin", "cos"):                      # |sin'|, |cos'| <= 1, and exp increases
-            (low, high), (_, last) = self.entire(a, kind), self.entire(b, kind)
-            return (low, last) if kind == "exp" else (low - (b - a), high + (b - a))
+            low, high = self.entire(a, kind)
+            return (low, self.entire(b, kind)[1]) if kind == "exp" else (low - (b - a), high + (b - a))
         r = tree[2] if kind == "^" else ONE
         if kind == "^" and r.denominator == 1 and r >= 0 and (a >= 0 or r.numerator % 2):
             return a**r.numerator, b**r.numerator
         need(a > 0 and kind in ("^", "log"), "a start takes the '%s' of a number that is not positive" % kind)
-        if kind == "log":
-            return self.log(a)[0], self.log(b)[1]
         low, high = sorted((a**r.numerator, b**r.numerator))
-        return self.root(low, r.denominator), self.root(high, r.denominator) + two(-self.bits)
+        return (self.log(a)[0], self.log(b)[1]) if kind == "log" else (
+            self.root(low, r.denominator), self.root(high, r.denominator) + two(-self.bits))
 
-    def root(self, x, q):
-        """2^-bits floor(2^bits x^(1/q))."""
+    def root(self, x, q):                          # 2^-bits floor(2^bits x^(1/q))
         whole = math.floor(x * two(self.bits * q))
         low, high = 0, 2 << whole.bit_length() // q
         while high - low > 1:
@@ -236,7 +182,7 @@ class Enclosures:
         return (total - error) * two(-bits), (total + error) * two(-bits)
 
     def odd_series(self, z, sign):
-        """The sum of sign^j z^(2j+1)/(2j+1), |z| <= 1/3, and a bound of its error: 3 units of each power and the rest."""
+        """The sum of sign^j z^(2j+1)/(2j+1), |z| <= 1/3, and a bound of its error: 3 units a power, the rest."""
         bits = self.bits + 40
         factor = p = math.floor(z * two(bits))
         total = count = 0
@@ -248,29 +194,25 @@ class Enclosures:
     def log(self, x):
         """log(2^k m) = 2 artanh((m - 1)/(m + 1)) + 2 k artanh(1/3), 1/2 <= m <= 2."""
         k = x.numerator.bit_length() - x.denominator.bit_length()
-        m = x / two(k)
-        (a, da), (b, db) = self.odd_series((m - 1) / (m + 1), 1), self.odd_series(ONE / 3, 1)
+        (a, da), (b, db) = self.odd_series((x - two(k)) / (x + two(k)), 1), self.odd_series(ONE / 3, 1)
         return 2 * (a + k * b - da - abs(k) * db), 2 * (a + k * b + da + abs(k) * db)
 
-    def pi(self):
+    def pi(self):                                  # 16 arctan(1/5) - 4 arctan(1/239)
         (a, da), (b, db) = self.odd_series(ONE / 5, -1), self.odd_series(ONE / 239, -1)
         return 16 * (a - da) - 4 * (b + db), 16 * (a + da) - 4 * (b - db)
 
-
-# ------------------------------------------------------------------------------------------------ the certificate
 class Reader:
     def __init__(self, text):
         self.lines, self.at = text.split("\n"), 0
 
-    def line(self, word=None):
-        """The fields of the next line behind a word that it begins with."""
+    def line(self, word=None):                     # the fields of the next line, behind a word that it begins with
         need(self.at < len(self.lines), "the file ends early")
         t = self.lines[self.at].split(" ") if self.lines[self.at] else []
         self.at += 1
-        need(word is None or (t and t[0] == word), "line %d: '%s' expected" % (self.at, word))
+        need(word is None or t[:1] == [word], "line %d: '%s' expected" % (self.at, word))
         return t if word is None else t[1:]
 
-    def all(self, word):
+    def all(self, word):                           # the lines that begin with a word
         found = []
         while self.at < len(self.lines) and self.lines[self.at].startswith(word + " "):
             found.append(" ".join(self.line(word)))
@@ -278,26 +220,21 @@ class Reader:
 
     def integers(self, word, count):
         t = self.line(word)
-        need(len(t) == count and all(re.fullmatch("-?[0-9]{1,6}", x, re.ASCII) for x in t),
-             "line %d: %d small integers expected" % (self.at, count))
-        need(all(abs(int(x)) <= LIMIT for x in t), "line %d: an integer is out of range" % self.at)
+        need(len(t) == count and all(re.fullmatch("-?[0-9]{1,5}", x, re.ASCII) for x in t),
+             "line %d: %d integers of at most 5 digits expected" % (self.at, count))
         return [int(x) for x in t]
 
-    def section(self, word, exponents, lists):
-        """A line with exponents, and lists of integers."""
+    def section(self, word, exponents, lists):     # a line with exponents, and lists of integers
         k, found = self.integers(word, exponents), [self.line() for _ in range(lists)]
         need(all(re.fullmatch("-?[0-9a-f]+", x, re.ASCII) for t in found for x in t), "'%s': bad coefficients" % word)
         return k, [[int(x, 16) for x in t] for t in found]
-
 
 def fraction(text):
     need(re.fullmatch(r"-?\d+(/0*[1-9]\d*|(\.\d+)?(e[-+]?\d{1,5})?)", text, re.ASCII), "'%s' is not a number" % text)
     return Fraction(text)
 
-
 class Problem:
     """The head of a certificate: equations, their polynomial form, enclosures of the start, claimed values."""
-
     def __init__(self, r):
         need(r.line("libration-certificate") == ["1"], "not a certificate of version 1")
         self.variable, self.t0 = " ".join(r.line("variable")), fraction(" ".join(r.line("at")))
@@ -347,14 +284,14 @@ class Problem:
             ",  ".join("%s = %s" % tuple(x) for x in self.equations), ",  ".join(starts), min(self.t0, last),
             max(self.t0, last), ",\n".join("    %s(%s) lies in [%s, %s]" % (x[1], x[0], *x[2:]) for x in self.claims))
 
-
 def matrix(n, entry):
     return [[entry(i, j) for j in range(n)] for i in range(n)]
 
+def size_of(a, rows, columns):                                                          # at least the Euclidean norm
+    return root_up(sum(a[i][j]**2 for i in rows for j in columns))
 
 class Step:
     """One step: polynomials of the scaled unknowns and their frame, brought to one exponent each."""
-
     def __init__(self, r, problem, begin):
         self.n, self.problem, self.begin = n, problem, begin = len(problem.right), problem, begin
         (k,), ((h,),) = r.section("step", 1, 1)
@@ -366,7 +303,7 @@ class Step:
         self.blocks = [range(*x) for x in zip(at, at[1:])]
         (self.kp,), self.p = r.section("p", 1, n)
         (kv, v), (ku, u) = r.section("V", n, n * n), r.section("U", n, n * n)
-        self.kv, self.ku = max(kv), max(ku)
+        self.kv, self.ku = max(0, *kv), max(0, *ku)
         self.V = matrix(n, lambda i, j: scaled(v[i * n + j], 1 << self.kv - kv[j]))
         self.U = matrix(n, lambda i, j: scaled(u[i * n + j], 1 << self.ku - ku[i]))
         k, (first, last) = r.section("radii", len(sizes), 2)
@@ -376,12 +313,10 @@ class Step:
     def up(self, x):
         return math.ceil(x * (1 << self.problem.bits))
 
-    def bound(self, a, k):
-        """A bound of |2^-k a(x)|."""
+    def bound(self, a, k):                                                              # of |2^-k a(x)|
         return self.up(norm(a) * two(-k))
 
-    def times(self, a, b):
-        """The product of two matrices of bounds."""
+    def times(self, a, b):                         # the product of two matrices of bounds
         return [[-(-sum(x * y for x, y in zip(row, column)) >> self.problem.bits) for column in zip(*b)] for row in a]
 
     def check(self, old):
@@ -395,40 +330,34 @@ class Step:
         self.check_joint(old)
         delta, J, DJ, size, Q, k = self.field()
         kb = self.ku + self.kv + k
-        H = matrix(n, lambda i, j: add(dot(J[i], [row[j] for row in self.V]), scaled(derivative(self.V[i][j]), -Q << k)))
+        H = matrix(n, lambda i, j: dot(J[i], [row[j] for row in self.V]))
+        H = matrix(n, lambda i, j: add(H[i][j], scaled(derivative(self.V[i][j]), -Q << k)))
         B = matrix(n, lambda i, j: dot(self.U[i], [row[j] for row in H]))
         bound = [[self.up(norm(a) / (Q * two(kb))) for a in row] for row in B]
         C = self.times([[self.bound(a, self.ku) for a in row] for row in self.U], self.times(DJ, size))
         C = self.times(self.N1, [[x + y for x, y in zip(*rows)] for rows in zip(bound, C)])
         more = matrix(n, lambda i, j: C[i][j] - bound[i][j])                            # |V^-1(..) - B| in the tube
-        rates = [self.rate(B, rows, Q * two(kb)) + self.size(more, rows, rows) for rows in self.blocks]
+        rates = [self.rate(B, rows, Q * two(kb)) + size_of(more, rows, rows) for rows in self.blocks]
         for end, r in (("left", self.R0), ("right", self.R1)):
             for b, rows in enumerate(self.blocks):
-                growth = self.size(delta, rows, range(1)) << self.problem.bits
-                growth += sum((rates[b] if c == b else self.size(C, rows, columns)) * r[c]
+                growth = size_of(delta, rows, range(1)) << self.problem.bits
+                growth += sum((rates[b] if c == b else size_of(C, rows, columns)) * r[c]
                               for c, columns in enumerate(self.blocks))
                 need(2 * growth <= self.R1[b] - self.R0[b] << self.problem.bits,
                      "growth of the radius of block %d at the %s end" % (b + 1, end))
 
-    @staticmethod
-    def size(a, rows, columns):
-        """The Euclidean norm of a block of bounds."""
-        return root_up(sum(a[i][j]**2 for i in rows for j in columns))
-
-    def rate(self, B, rows, unit):
-        """At least the largest eigenvalue of the symmetric part of a block, over the step."""
+    def rate(self, B, rows, unit):                 # at least the largest eigenvalue of the symmetric part of a block
         def above(a):
             slope = Fraction(norm(derivative(a)), PARTS)
             return [self.up((value(a, Fraction(2 * k + 1 - PARTS, PARTS)) + slope) / unit) for k in range(PARTS)]
         i = rows[0]
         if len(rows) == 1:
-            return min(self.up(top(B[i][i]) / unit), max(above(B[i][i])))
+            return min(self.up(norm(B[i][i]) / unit), max(above(B[i][i])))
         a, d, mixed = above(B[i][i]), above(B[i + 1][i + 1]), add(B[i][i + 1], B[i + 1][i])
         c = [max(abs(x), abs(y)) for x, y in zip(above(mixed), above(scaled(mixed, -1)))]
         return max(-(-(x + y + root_up((x - y)**2 + w * w)) // 2) for x, y, w in zip(a, d, c))
 
-    def check_joint(self, old):
-        """The set before the step, {centre + frame e}, lies in the tube at its left end."""
+    def check_joint(self, old):                    # {centre + frame e}, in which the step begins, is in its tube
         centre, frame, blocks, radii = old
         R, U = range(self.n), [[value(a, -ONE) * two(-self.ku) for a in row] for row in self.U]
         gap = [centre[i] * two(-self.scales[i]) - value(self.p[i], -ONE) * two(-self.kp) for i in R]
@@ -436,8 +365,8 @@ class Step:
         turned = self.times(self.N1, matrix(self.n, lambda i, j: self.up(abs(sum(U[i][l] * F[l][j] for l in R)))))
         moved = self.times(self.N1, [[self.up(abs(sum(U[i][l] * gap[l] for l in R)))] for i in R])
         for b, rows in enumerate(self.blocks):
-            total = self.size(moved, rows, range(1)) << self.problem.bits
-            total += sum(self.size(turned, rows, columns) * r for columns, r in zip(blocks, radii))
+            total = size_of(moved, rows, range(1)) << self.problem.bits
+            total += sum(size_of(turned, rows, columns) * r for columns, r in zip(blocks, radii))
             need(total <= self.R0[b] << self.problem.bits, "start or joint: radius of block %d" % (b + 1))
 
     def field(self):
@@ -447,63 +376,54 @@ class Step:
         q = math.lcm(*[x.denominator for x in time if any(0 in m for f in right for m in f)])
         kp = max(self.kp, q.bit_length())
         p = [[math.floor(x * q) << kp for x in time]] + [scaled(a, 1 << kp - self.kp) for a in self.p]
-        # (row, numbers of the factors, coefficient) of f in scaled unknowns
         terms = [(i, m, c * self.length / 2 / q**m.count(0) * two(sum(e[l] for l in m) - e[i + 1]))
-                 for i, f in enumerate(right) for m, c in f.items()]
+                 for i, f in enumerate(right) for m, c in f.items()]                    # of f in scaled unknowns
         Q, most = math.lcm(*[c.denominator for _, _, c in terms]), max([len(m) for _, m, _ in terms] + [1])
         product = {(): [1]}
-
-        def of(m):
-            if m not in product:
-                product[m] = dot([of(m[:-1])], [p[m[-1]]])
-            return product[m]
-        d, J, DJ = [scaled(derivative(a), Q << (most - 1) * kp) for a in p[1:]], matrix(n, lambda i, j: []), None
+        for m in sorted({m[:at] + m[at + k:] for _, m, _ in terms for at in range(len(m)) for k in (0, 1)}, key=len):
+            for at in range(1, len(m) + 1):
+                if m[:at] not in product:
+                    product[m[:at]] = dot([product[m[:at - 1]]], [p[m[at - 1]]])
+        d, J = [scaled(derivative(a), Q << (most - 1) * kp) for a in p[1:]], matrix(n, lambda i, j: [])
         size = [[self.bound(a, self.kv) for a in row] for row in self.V]
         radii = [max(x) for x in zip(self.R0, self.R1)]
-        rho = [0] + [-(-sum(self.size([row], [0], rows) * r for rows, r in zip(self.blocks, radii)) >> self.problem.bits)
+        rho = [0] + [-(-sum(size_of([row], [0], rows) * r for rows, r in zip(self.blocks, radii)) >> self.problem.bits)
                      for row in size]
-        reach = [self.bound(a, kp) for a in p]
-        DJ = matrix(n, lambda i, j: 0)
+        reach, DJ = [self.bound(a, kp) for a in p], matrix(n, lambda i, j: 0)
         for i, m, c in terms:
-            d[i] = add(d[i], scaled(of(m), -int(c * Q) << (most - len(m)) * kp))
+            d[i] = add(d[i], scaled(product[m], -int(c * Q) << (most - len(m)) * kp))
             for at, l in enumerate(m):
                 if l:
                     rest = m[:at] + m[at + 1:]
-                    J[i][l - 1] = add(J[i][l - 1], scaled(of(rest), int(c * Q) << (most - len(m)) * kp))
+                    J[i][l - 1] = add(J[i][l - 1], scaled(product[rest], int(c * Q) << (most - len(m)) * kp))
                     change = math.prod(reach[x] + rho[x] for x in rest) - math.prod(reach[x] for x in rest)
                     DJ[i][l - 1] += self.up(abs(c) * change / (1 << self.problem.bits * len(rest)))
         turned = [[self.up(norm(dot(row, d)) / (Q * two(self.ku + most * kp)))] for row in self.U]
         return self.times(self.N1, turned), J, DJ, size, Q, (most - 1) * kp
 
-    def at(self, x):
-        """The set at x: centre, frame, blocks and radii."""
+    def at(self, x):                               # the set at x: centre, frame, blocks and radii
         return ([value(a, x) * two(e - self.kp) for a, e in zip(self.p, self.scales)],
                 [[value(a, x) * two(e - self.kv) for a in row] for row, e in zip(self.V, self.scales)], self.blocks,
                 [math.ceil(a + (b - a) * (x + 1) / 2) for a, b in zip(self.R0, self.R1)])
 
-    def check_claim(self, claim):
-        """True if the time of a claim is in the step, where its interval contains the tube."""
+    def check_claim(self, claim):                  # true if its time is in the step: its interval contains the tube
         x = 2 * (fraction(claim[0]) - self.begin) / self.length - 1
         if not -1 <= x <= 1:
             return False
         i, (centre, frame, blocks, radii) = self.problem.state.index(claim[1]), self.at(x)
         row = [[self.up(abs(a)) for a in frame[i]]]
-        reach = sum(self.size(row, [0], rows) * r for rows, r in zip(blocks, radii)) * two(-2 * self.problem.bits)
+        reach = sum(size_of(row, [0], rows) * r for rows, r in zip(blocks, radii)) * two(-2 * self.problem.bits)
         need(fraction(claim[2]) <= centre[i] - reach and centre[i] + reach <= fraction(claim[3]),
              "the value of %s at %s is not proved to be in its interval" % (claim[1], claim[0]))
         return True
 
-
-def check(text):
-    """The proved statement; raises Refused."""
+def check(text):                                   # the proved statement; raises Refused
     r = Reader(text)
     problem = Problem(r)
     n, time, claims = len(problem.right), problem.t0, problem.claims
-    middle = [(a + b) / 2 for a, b in problem.start]
-    middle = [math.floor(m * two(problem.start_bits)) * two(-problem.start_bits) if a < b else m
-              for m, (a, b) in zip(middle, problem.start)]
-    radii = [math.ceil(max(m - a, b - m) * (1 << problem.bits)) for m, (a, b) in zip(middle, problem.start)]
-    state = middle, matrix(n, lambda i, j: ONE * (i == j)), [range(i, i + 1) for i in range(n)], radii
+    state = ([(a + b) / 2 for a, b in problem.start], matrix(n, lambda i, j: ONE * (i == j)),
+             [range(i, i + 1) for i in range(n)],
+             [math.ceil((b - a) / 2 * two(problem.bits)) for a, b in problem.start])
     for number in range(1, problem.steps + 1):
         try:
             step = Step(r, problem, time)
@@ -516,21 +436,15 @@ def check(text):
     need(not claims, "no step contains the time of a claim")
     return problem.statement()
 
-
 def main():
+    if len(sys.argv) != 2:
+        sys.exit("usage: python3 -I libration_check.py FILE")
     try:
-        with open(sys.argv[1], "rb") as file:
-            content = file.read()
-    except (IndexError, OSError) as reason:
-        print("usage: libration_check.py FILE (%s)" % reason, file=sys.stderr)
-        return 2
-    try:
-        print("Proved:\n" + check(zlib.decompress(content).decode()))
-        return 0
-    except (Refused, zlib.error, UnicodeDecodeError, RecursionError) as reason:
-        print("Not proved: %s" % reason)
+        print("Proved:\n" + check(zlib.decompress(open(sys.argv[1], "rb").read()).decode()))
+    except Exception as reason:                        # Refused, or not a text of the format
+        print("Not proved: %s" % (reason if isinstance(reason, Refused) else "not a certificate, %r" % reason))
         return 1
-
+    return 0
 
 if __name__ == "__main__":
     sys.exit(main())

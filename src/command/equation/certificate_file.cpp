@@ -13,7 +13,7 @@ namespace libration {
 
 namespace {
 
-constexpr const char* option = "--certificate";
+constexpr const char* certificate_option = "--certificate";
 
 std::string compressed(const std::string& text) {
     uLongf size = compressBound(text.size());
@@ -29,7 +29,7 @@ std::string compressed(const std::string& text) {
 rational fraction_of(const std::string& path, const exact& time) {
     const auto q = time.has_periods() ? std::nullopt : as_expression(time).fraction();
     if (!q) {
-        throw input_error(option, path, "is for times that are fractions, and " + time.text + " is not one",
+        throw input_error(certificate_option, path, "is for times that are fractions, and " + time.text + " is not one",
                           "choose fractions as times");
     }
     return *q;
@@ -83,7 +83,7 @@ std::string certificate_of_states(const std::string& path, const ode::explicit_s
         if (problem.subject() != "certificate" || problem.kind() != error_kind::argument) {
             throw;
         }
-        throw input_error(std::string(option) + " '" + path + "' " + problem.reason());
+        throw input_error(std::string(certificate_option) + " '" + path + "' " + problem.reason());
     }
 }
 
@@ -91,7 +91,7 @@ void write_certificate(const std::string& path, const std::string& content) {
     try {
         write_whole_file(path, content);
     } catch (const std::runtime_error& problem) {
-        throw input_error(option, path, std::string("cannot be written (") + problem.what() + ")",
+        throw input_error(certificate_option, path, std::string("cannot be written (") + problem.what() + ")",
                           "choose a file in a folder that exists and that you may write in");
     }
 }

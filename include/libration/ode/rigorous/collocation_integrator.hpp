@@ -29,8 +29,13 @@ using tube_rule =
 /// assume any of this: the tube is proved from the polynomials alone.
 class collocation_integrator {
 public:
-    /// `more_terms` is added to the degree of the polynomials, for a second proof.
-    collocation_integrator(const lifted_system& of, long bits, int more_terms = 0);
+    /// The limit between slow and fast modes, from an eigenvalue times half of the length on.
+    static constexpr double usual_slowest_fast = 3;
+
+    /// `more_terms` is added to the degree of the polynomials, for a second proof. Limits up to 8 keep more modes slow,
+    /// which loses less along chaotic solutions and more where fast modes are much faster.
+    collocation_integrator(const lifted_system& of, long bits, int more_terms = 0,
+                           double slowest_fast = usual_slowest_fast);
     ~collocation_integrator();
 
     /// From now on the tubes are those of this rule, which may change the polynomials before it proves them.

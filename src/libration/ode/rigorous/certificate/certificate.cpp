@@ -18,13 +18,23 @@ namespace libration::ode {
 
 namespace {
 
-constexpr int most_runs = 12;
-constexpr long most_bits = 4096;
+constexpr int most_certificate_runs = 12;
+constexpr long most_certificate_bits = 4096;
 constexpr long guard_of_first_run = 8;
 constexpr double bits_of_digit = 3.3219281;
 // The bounds of the program that checks are integers times 2^-S; S has so many bits more than the polynomials, and the
 // initial values as many again.
 constexpr long more_bits_of_bounds = 64;
+constexpr double large_slowest_fast = 8;
+constexpr long worthwhile_bits = 10;
+
+using progress_callback = std::function<void(const ball& reached, long bits)>;
+
+struct run_choice {
+    long bits = 0;
+    double slowest_fast = collocation_integrator::usual_slowest_fast;
+    bool rounds = false;
+};
 
 std::string hexadecimal(const ball& whole) {
     fmpz_t n;
@@ -95,13 +105,13 @@ std::string text_of(const certificate_step& step) {
 // One integration through all times, in order of their distance from the initial point.
 class certified_run {
 public:
-    certified_run(const explicit_system& system, const lifted_system& form, long bits, bool rounds)
+    certified_run(const explicit_system& system, const lifted_system& form, const run_choice& choice)
         : form_(form),
-          integrator_(form, bits),
+          integrator_(form, choice.bits, 0, choice.slowest_fast),
           map_(form),
-          rounding_(bits - guard_of_first_run, integrator_.bits() + more_bits_of_bounds) {
+          rounding_(choice.bits - guard_of_first_run, integrator_.bits() + more_bits_of_bounds) {
         bits_ = integrator_.bits() + 2L * integrator_.degree() + more_bits_of_bounds;
-        if (rounds) {
+        if (choice.rounds) {
             integrator_.prove_by([this](tube_proof& by, const tube_candidate& found, const tube_set& start) {
                 return rounding_.tube(by, found, start);
             });
@@ -147,7 +157,7 @@ public:
     }
 
     // The state at a time; std::nullopt if the proof ends before.
-    std::optional<std::vector<ball>> at(const rational& time, const std::function<void(const ball&, long)>& watch) {
+    std::optional<std::vector<ball>> at(const rational& time, const progress_callback& watch) {
         const precision_scope scope(decimal_digits(bits_));
         for (;;) {
             const ball rest = from_rational<ball>(time) - integrator_.reached();
@@ -221,23 +231,73 @@ long lacking_bits(const ball& value, const decimal_interval& in) {
     return std::max(2L, static_cast<long>(std::ceil(std::min(lacking, 1e4))) + 1);
 }
 
-std::vector<const claimed_value*> in_order_of_time(const explicit_system& system,
-                                                   const std::vector<claimed_value>& values) {
-    const rational origin = *system.point().fraction();
-    std::vector<const claimed_value*> result;
-    bool before = false;
-    bool after = false;
-    for (const claimed_value& each : values) {
-        before = before || each.time < origin;
-        after = after || each.time > origin;
-        result.push_back(&each);
+// The values in the order in which an integration reaches them.
+class claimed_values {
+public:
+    claimed_values(const explicit_system& system, const std::vector<claimed_value>& values)
+        : names_(names_of_state(system)) {
+        const rational origin = *system.point().fraction();
+        bool before = false;
+        bool after = false;
+        for (const claimed_value& each : values) {
+            before = before || each.time < origin;
+            after = after || each.time > origin;
+            ordered_.push_back(&each);
+        }
+        if (before && after) {
+            throw error(error_kind::argument, "certificate", "",
+                        "is for times in one direction, and these are on both sides of the initial point: write two");
+        }
+        std::ranges::stable_sort(ordered_, {}, [&](const claimed_value* each) { return abs(each->time - origin); });
     }
-    if (before && after) {
-        throw error(error_kind::argument, "certificate", "",
-                    "is for times in one direction, and these are on both sides of the initial point: write two");
+
+    const rational& last_time() const { return ordered_.back()->time; }
+
+    // The largest number of bits that a value lacks after a run; std::nullopt if the run ends before.
+    std::optional<long> lacking_bits_of(certified_run& by, const progress_callback& watch) const {
+        const precision_scope scope(decimal_digits(by.bits_of_bounds()));
+        if (!by.begin(last_time())) {
+            return std::nullopt;
+        }
+        long lacking = 0;
+        for (const claimed_value* each : ordered_) {
+            const auto state = by.at(each->time, watch);
+            if (!state) {
+                return std::nullopt;
+            }
+            lacking = std::max(lacking, lacking_bits((*state)[each->place], each->in));
+        }
+        return lacking;
     }
-    std::ranges::stable_sort(result, {}, [&](const claimed_value* each) { return abs(each->time - origin); });
-    return result;
+
+    std::string text() const {
+        std::string lines;
+        for (const claimed_value* each : ordered_) {
+            lines += "claim " + each->time.str() + " " + names_[each->place] + " " + each->in.lower + " " +
+                     each->in.upper + "\n";
+        }
+        return lines;
+    }
+
+private:
+    std::vector<std::string> names_;
+    std::vector<const claimed_value*> ordered_;
+};
+
+// The limit between slow and fast modes with which fewer bits are lost.
+double better_limit(const explicit_system& system, const lifted_system& form, const claimed_values& claims,
+                    run_choice choice, const progress_callback& watch) {
+    const auto lacking_with = [&](double limit) {
+        choice.slowest_fast = limit;
+        certified_run by(system, form, choice);
+        return claims.lacking_bits_of(by, watch);
+    };
+    const auto usual = lacking_with(collocation_integrator::usual_slowest_fast);
+    if (usual && *usual < worthwhile_bits) {
+        return collocation_integrator::usual_slowest_fast;
+    }
+    const auto large = lacking_with(large_slowest_fast);
+    return large && (!usual || *large < *usual) ? large_slowest_fast : collocation_integrator::usual_slowest_fast;
 }
 
 }  // namespace
@@ -273,33 +333,21 @@ std::string certificate_of(const explicit_system& system, const std::vector<clai
                            const std::function<void(const ball& reached, long bits)>& watch) {
     const lifted_system form = lifted(system);
     const std::string head = problem_of_certificate(system, form);
-    const auto ordered = in_order_of_time(system, values);
-    const auto names = names_of_state(system);
-    long bits = std::lround(static_cast<double>(digits) * bits_of_digit) + guard_of_first_run;
-    bool rounds = false;
-    for (int run = 0; run < most_runs && bits <= most_bits; ++run) {
-        certified_run by(system, form, bits, rounds);
-        const precision_scope scope(decimal_digits(by.bits_of_bounds()));
-        long lacking = 0;
-        std::string claims;
-        bool proved = by.begin(ordered.back()->time);
-        for (std::size_t k = 0; proved && k < ordered.size(); ++k) {
-            const claimed_value& each = *ordered[k];
-            const auto state = by.at(each.time, watch);
-            proved = state.has_value();
-            lacking = std::max(lacking, proved ? lacking_bits((*state)[each.place], each.in) : 0);
-            claims +=
-                "claim " + each.time.str() + " " + names[each.place] + " " + each.in.lower + " " + each.in.upper + "\n";
-        }
-        if (rounds && proved && lacking == 0) {
+    const claimed_values claims(system, values);
+    run_choice choice{std::lround(static_cast<double>(digits) * bits_of_digit) + guard_of_first_run};
+    choice.slowest_fast = better_limit(system, form, claims, choice, watch);
+    for (int run = 0; run < most_certificate_runs && choice.bits <= most_certificate_bits; ++run) {
+        certified_run by(system, form, choice);
+        const auto lacking = claims.lacking_bits_of(by, watch);
+        if (choice.rounds && lacking == 0) {
             return "libration-certificate 1\n" + head + "bits " + std::to_string(by.bits_of_bounds()) + " " +
-                   std::to_string(by.bits_of_bounds() + more_bits_of_bounds) + "\n" + claims + "steps " +
+                   std::to_string(by.bits_of_bounds() + more_bits_of_bounds) + "\n" + claims.text() + "steps " +
                    std::to_string(by.steps()) + "\n" + by.text() + "end\n";
         }
-        rounds = proved && lacking == 0;
-        bits += proved ? lacking : bits / 4;
+        choice.rounds = lacking == 0;
+        choice.bits += lacking.value_or(choice.bits / 4);
     }
-    throw error(error_kind::undecided, "certificate", ordered.back()->time.str(),
+    throw error(error_kind::undecided, "certificate", claims.last_time().str(),
                 "has values that are not proved by collocation within the limits of the precision, or steps that are "
                 "not: ask for fewer digits or an earlier time");
 }

@@ -20,14 +20,14 @@ constexpr std::size_t longest_formula = 100'000;
 // How tightly the outermost operation of a text binds.
 enum class binding { sum, product, power, operand };
 
-struct bound_text {
+struct formula_part {
     std::string text;
     binding by = binding::operand;
 
     std::string within(binding least) const { return by < least ? "(" + text + ")" : text; }
 };
 
-bound_text text_of_fraction(const rational& q) {
+formula_part text_of_fraction(const rational& q) {
     return {q.str(), q < 0 ? binding::sum : denominator(q) == 1 ? binding::operand : binding::product};
 }
 
@@ -38,19 +38,19 @@ public:
         : variable_(std::move(variable)), names_(std::move(names)) {}
 
     std::string of(const expression& whole) const {
-        node_values<bound_text> done;
+        node_values<formula_part> done;
         return done.of(whole, [&](const expression& e) { return limited(text_of(e, done)); }).text;
     }
 
 private:
-    static bound_text limited(bound_text made) {
+    static formula_part limited(formula_part made) {
         if (made.text.size() > longest_formula) {
             refuse_problem("does not contain formulas as long as those of these equations", "leave it out");
         }
         return made;
     }
 
-    bound_text text_of(const expression& e, const node_values<bound_text>& done) const {
+    formula_part text_of(const expression& e, const node_values<formula_part>& done) const {
         switch (e.kind()) {
             case node_kind::constant: return text_of_constant(e);
             case node_kind::variable: return {variable_};
@@ -67,7 +67,7 @@ private:
         return function(e, done.at(e.left()));
     }
 
-    static bound_text text_of_constant(const expression& e) {
+    static formula_part text_of_constant(const expression& e) {
         const auto q = e.fraction();
         if (!q) {
             refuse_problem("contains only fractions as constants, and these equations have another one",
@@ -76,12 +76,12 @@ private:
         return text_of_fraction(*q);
     }
 
-    static bound_text sum(const bound_text& a, const bound_text& b) {
+    static formula_part sum(const formula_part& a, const formula_part& b) {
         const bool minus = b.text.starts_with('-');
         return {a.text + (minus ? " - " + b.text.substr(1) : " + " + b.text), binding::sum};
     }
 
-    static bound_text product(const expression& e, const bound_text& a, const bound_text& b) {
+    static formula_part product(const expression& e, const formula_part& a, const formula_part& b) {
         const std::string right = b.within(binding::product);
         if (e.left().is(-1)) {
             return {"-" + right, binding::sum};
@@ -91,12 +91,12 @@ private:
                 negative ? binding::sum : binding::product};
     }
 
-    static bound_text power(const bound_text& base, const expression& exponent) {
-        const bound_text by = text_of_constant(exponent);
+    static formula_part power(const formula_part& base, const expression& exponent) {
+        const formula_part by = text_of_constant(exponent);
         return {base.within(binding::operand) + "^" + by.within(binding::operand), binding::power};
     }
 
-    static bound_text function(const expression& e, const bound_text& argument) {
+    static formula_part function(const expression& e, const formula_part& argument) {
         if (e.function() == function_kind::sqrt) {
             return {argument.within(binding::operand) + "^(1/2)", binding::power};
         }
@@ -122,8 +122,9 @@ std::string start_text(const number& value, const std::string& name) {
     if (plain && plain->measure == unit::pi) {
         return plain->coefficient.str() + "*pi";
     }
-    refuse_problem("contains fractions and multiples of pi as initial values, and that of " + name + " is another number",
-                   "replace it by a fraction, or leave the certificate out");
+    refuse_problem(
+        "contains fractions and multiples of pi as initial values, and that of " + name + " is another number",
+        "replace it by a fraction, or leave the certificate out");
 }
 
 }  // namespace

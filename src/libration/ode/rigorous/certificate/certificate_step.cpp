@@ -11,10 +11,10 @@ namespace libration::ode {
 
 namespace {
 
-// The radii at the end may grow by 2^-2 from the rounding of p, which adds to the defects of other steps, and by 2^-7
+// The radii at the end may grow by 2^-2 from the rounding of p, which adds to the defects of other steps, and by 2^-5
 // from that of the frame, which multiplies with that of other steps.
 constexpr long loss_of_curve = -2;
-constexpr long loss_of_frame = -7;
+constexpr long loss_of_frame = -5;
 constexpr long finest_frame = 120;
 constexpr long grain = 2;
 
@@ -186,7 +186,7 @@ std::optional<solution_tube> step_rounding::tube(tube_proof& by, const tube_cand
     const precision_scope scope(decimal_digits(by.bits()));
     attempt here(by, found, start, magnitude::of(1, -negligible_bits_));
     exponents bits;
-    bits.curve = here.least_bits(last_.curve, most_bits_, loss_of_curve, *reference,
+    bits.curve = here.least_bits(last_.curve, finest_, loss_of_curve, *reference,
                                  [&](tube_candidate& to, long k) { here.round_curve(to, k); });
     bits.frame = here.least_bits(last_.frame, finest_frame, loss_of_frame, *reference,
                                  [&](tube_candidate& to, long k) { here.round_frame(to, k); });
@@ -197,7 +197,7 @@ std::optional<solution_tube> step_rounding::tube(tube_proof& by, const tube_cand
     last_ = bits;
     auto proved = here.rounded(bits);
     while (!keeps_radii(proved, *reference, loss_of_curve + 1, here.negligible) && bits.frame < finest_frame) {
-        bits = {std::min(bits.curve + 1, most_bits_), bits.frame + 1, bits.slow_rows + 1, bits.fast_rows + 1};
+        bits = {std::min(bits.curve + 1, finest_), bits.frame + 1, bits.slow_rows + 1, bits.fast_rows + 1};
         proved = here.rounded(bits);
     }
     if (proved) {

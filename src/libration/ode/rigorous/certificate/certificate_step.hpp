@@ -29,9 +29,9 @@ struct certificate_step {
 /// without an essential loss of the radii, and proves the tube from the rounded ones.
 class step_rounding {
 public:
-    /// Radii of scaled unknowns below 2^-negligible_bits need not be smaller; polynomials have at most most_bits behind
+    /// Radii of scaled unknowns below 2^-negligible_bits need not be smaller; polynomials have at most `finest` bits behind
     /// the point.
-    step_rounding(long negligible_bits, long most_bits) : negligible_bits_(negligible_bits), most_bits_(most_bits) {}
+    step_rounding(long negligible_bits, long finest) : negligible_bits_(negligible_bits), finest_(finest) {}
 
     std::optional<solution_tube> tube(tube_proof& by, const tube_candidate& found, const tube_set& start);
     /// The last step for which a tube was proved; std::nullopt before the first.
@@ -44,7 +44,7 @@ private:
     };
     struct attempt;
 
-    long negligible_bits_, most_bits_;
+    long negligible_bits_, finest_;
     exponents last_;
     std::optional<certificate_step> step_;
 };
