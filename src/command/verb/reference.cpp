@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "equation/certificate_file.hpp"
 #include "equation/derivative_options.hpp"
 #include "equation/integrator_options.hpp"
 #include "equation/problem_options.hpp"
@@ -41,7 +42,7 @@ struct reference_options {
     output_options output;
     plot_axes plot;
     event_options events;
-    std::optional<std::string> digits, times, motions, columns, jobs, trace;
+    std::optional<std::string> digits, times, motions, columns, jobs, trace, certificate;
     bool check = false;
 };
 
@@ -180,12 +181,15 @@ void refuse_motions(const reference_options& options) {
     }
 }
 
-// Throws for options of an integration to given times if there is none.
+// Throws for options of an integration to given times, such as --trace and --certificate, if there is none.
 void require_no_integration(const reference_options& options, const std::string& reason) {
     options.integrator.require_absent(reason);
     options.derivatives.require_absent(reason);
     if (options.trace) {
         throw input_error("--trace", *options.trace, reason, "leave it out");
+    }
+    if (options.certificate) {
+        throw input_error("--certificate", *options.certificate, reason, "leave it out");
     }
 }
 
@@ -242,7 +246,8 @@ std::vector<asked_solution> asked_by(const reference_options& options, const std
                                      long digits) {
     std::vector<asked_solution> asked;
     if (options.problem.is_chosen()) {
-        const bool general = options.integrator.integrates() || options.derivatives.differentiate();
+        const bool general =
+            options.integrator.integrates() || options.derivatives.differentiate() || options.certificate;
         for (const family_member& each : family) {
             asked.push_back(problem_of_options(options, each.problem.solution(general)));
         }
@@ -252,6 +257,19 @@ std::vector<asked_solution> asked_by(const reference_options& options, const std
         asked.push_back(motion_of_options(options, digits));
     }
     return asked;
+}
+
+// After the values themselves, which do not depend on it.
+void certify(const reference_options& options, const asked_solution& asked, const table& states, long digits) {
+    progress shown("certificate", progress_of_part::steps);
+    progress_of_part to(shown);
+    const request how{.scalar = {scalar_kind::proved, digits},
+                      .progress = [&](double part) { to(part); },
+                      .reached = [&](double time, long bits) { to.reached(time, bits); }};
+    const std::string content =
+        certificate_of_states(*options.certificate, options.problem.choose(), asked.times, states, how);
+    write_certificate(*options.certificate, content);
+    to(1);
 }
 
 // On all cores if there are several solutions.
@@ -316,6 +334,9 @@ int run_reference(const reference_options& options) {
     }
     options.integrator.state(found.collocation);
     require_complete(found);
+    if (options.certificate) {
+        certify(options, asked.front(), found.rows, digits);
+    }
     return 0;
 }
 
@@ -345,6 +366,10 @@ subcommand reference_command(CLI::App& program) {
     command
         ->add_option("--trace", options->trace,
                      "with --problem: a CSV file with the steps of the integration, written also if it fails")
+        ->type_name("FILE");
+    command
+        ->add_option("--certificate", options->certificate,
+                     "with --problem: a file from which check/libration_check.py proves the values again, in integers")
         ->type_name("FILE");
     command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");
     options->events.add_to(*command);

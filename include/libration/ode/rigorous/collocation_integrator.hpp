@@ -1,13 +1,22 @@
 // An integrator for stiff systems: collocation of high degree, proved by theorem K.
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "libration/ode/lifted_system.hpp"
 #include "libration/ode/rigorous/tube.hpp"
 
 namespace libration::ode {
+
+class tube_proof;
+struct tube_candidate;
+
+/// The tube of a step that begins with a set, from the polynomials found for it; std::nullopt if none is proved.
+using tube_rule =
+    std::function<std::optional<solution_tube>(tube_proof& by, const tube_candidate& found, const tube_set& start)>;
 
 /// Steps of theorem K for the polynomial form of a system, in sequence: each begins with the set in which the previous
 /// one ended, so that its tube contains every solution that began in the first set.
@@ -20,9 +29,17 @@ namespace libration::ode {
 /// assume any of this: the tube is proved from the polynomials alone.
 class collocation_integrator {
 public:
-    /// `more_terms` is added to the degree of the polynomials, for a second proof.
-    collocation_integrator(const lifted_system& of, long bits, int more_terms = 0);
+    /// The limit between slow and fast modes, from an eigenvalue times half of the length on.
+    static constexpr double usual_slowest_fast = 3;
+
+    /// `more_terms` is added to the degree of the polynomials, for a second proof. Limits up to 8 keep more modes slow,
+    /// which loses less along chaotic solutions and more where fast modes are much faster.
+    collocation_integrator(const lifted_system& of, long bits, int more_terms = 0,
+                           double slowest_fast = usual_slowest_fast);
     ~collocation_integrator();
+
+    /// From now on the tubes are those of this rule, which may change the polynomials before it proves them.
+    void prove_by(tube_rule rule);
 
     /// True if explicit steps of this length are much too short: the solution from this state is smooth over 32 of
     /// them, estimated by an L-stable method in long double. No proof depends on it.

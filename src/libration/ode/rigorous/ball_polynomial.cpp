@@ -1,6 +1,7 @@
 #include "ball_polynomial.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "libration/scalar/ball/polynomial.hpp"
 #include "libration/scalar/ball/predicates.hpp"
@@ -89,11 +90,34 @@ void chebyshev_form::extend(std::size_t length) {
     }
 }
 
-magnitude chebyshev_form::supremum(const ball_polynomial& a) {
+std::vector<ball> chebyshev_form::coefficients(const ball_polynomial& a) {
     extend(a.size());
-    magnitude sum;
+    std::vector<ball> result;
     for (std::size_t l = 0; l < a.size(); ++l) {
-        sum += magnitude(inner_product(&a[l], 2, weights_[l].data(), 1, static_cast<int>((a.size() - l + 1) / 2)));
+        result.push_back(inner_product(&a[l], 2, weights_[l].data(), 1, static_cast<int>((a.size() - l + 1) / 2)));
+    }
+    return result;
+}
+
+// Clenshaw's recurrence b_l = c_l + 2 x b_(l+1) - b_(l+2), of which the sum is b_0 - x b_1.
+ball_polynomial chebyshev_form::in_powers(const std::vector<ball>& coefficients) {
+    ball_polynomial next;
+    ball_polynomial after;
+    for (std::size_t l = coefficients.size(); l-- > 0;) {
+        ball_polynomial now{coefficients[l]};
+        for (const ball& each : next) {
+            now.push_back(l == 0 ? each : each * 2L);
+        }
+        now = difference_of(now, after);
+        after = std::exchange(next, std::move(now));
+    }
+    return next;
+}
+
+magnitude chebyshev_form::supremum(const ball_polynomial& a) {
+    magnitude sum;
+    for (const ball& each : coefficients(a)) {
+        sum += magnitude(each);
     }
     return sum;
 }

@@ -47,6 +47,11 @@ class chebyshev_form {
 public:
     explicit chebyshev_form(long bits) : bits_(bits) {}
 
+    /// c_l.
+    std::vector<ball> coefficients(const ball_polynomial& a);
+    /// sum_l c_l T_l in powers of x, in the working precision.
+    static ball_polynomial in_powers(const std::vector<ball>& coefficients);
+
     /// sum_l |c_l| >= |a(x)| on [-1, 1].
     magnitude supremum(const ball_polynomial& a);
     /// An upper bound of a(x), with its sign, on each of `parts` equal parts of [-1, 1], `parts` a power of two: the

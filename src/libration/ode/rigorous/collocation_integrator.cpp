@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "collocation_solver.hpp"
 #include "libration/ode/ball/step_pieces.hpp"
@@ -21,6 +22,7 @@ constexpr double largest_growth = 3;
 constexpr double smallest_growth = 0.3;
 constexpr double safety = 0.9;
 constexpr int most_rejections = 60;
+constexpr double digits_below_width = 4;
 
 std::vector<long double> rounded_constants(const polynomial_map& map) {
     const precision_scope scope(40);
@@ -43,11 +45,13 @@ std::vector<ball> enclosed_constants(const polynomial_map& map, long bits) {
 }  // namespace
 
 struct collocation_integrator::parts {
-    parts(const lifted_system& of, long bits, int more_terms)
+    parts(const lifted_system& of, long bits, int more_terms, double slowest_fast)
         : map(of),
           accuracy(collocation_accuracy::for_bits(bits, more_terms)),
           constants(enclosed_constants(map, accuracy.product_bits)),
-          guide(map, rounded_constants(map)) {}
+          guide(map, rounded_constants(map)) {
+        accuracy.slowest_fast = slowest_fast;
+    }
 
     // The costly parts, needed for the first step.
     void make_ready() {
@@ -58,8 +62,10 @@ struct collocation_integrator::parts {
         }
     }
 
+    // Scales so small that the errors of a step are small relative to the width of the set: with scales in proportion to
+    // a width that these errors determine, both would grow from step to step.
     std::vector<magnitude> floors() const {
-        const auto lower = static_cast<long>(accuracy.accepted * std::log2(10.));
+        const auto lower = static_cast<long>((accuracy.accepted - digits_below_width) * std::log2(10.));
         std::vector<magnitude> result;
         for (std::size_t i = 0; i < map.size(); ++i) {
             result.push_back(set.reach(i).shifted(lower));
@@ -85,7 +91,7 @@ struct collocation_integrator::parts {
         }
         const double factor = safety * solver->factor();
         auto candidate = solver->candidate();
-        auto proved = candidate ? proof->tube(*candidate, set) : std::nullopt;
+        auto proved = candidate ? rule(*proof, *candidate, set) : std::nullopt;
         if (!proved) {
             change_length(0.5);
             return false;
@@ -108,13 +114,18 @@ struct collocation_integrator::parts {
     ball time, next;
     tube_set set;
     std::optional<solution_tube> tube;
+    tube_rule rule = [](tube_proof& by, const tube_candidate& found, const tube_set& start) {
+        return by.tube(found, start);
+    };
     double grown = 1;
     int without_fast = 0;
 };
 
-collocation_integrator::collocation_integrator(const lifted_system& of, long bits, int more_terms)
-    : parts_(std::make_unique<parts>(of, bits, more_terms)) {}
+collocation_integrator::collocation_integrator(const lifted_system& of, long bits, int more_terms, double slowest_fast)
+    : parts_(std::make_unique<parts>(of, bits, more_terms, slowest_fast)) {}
 collocation_integrator::~collocation_integrator() = default;
+
+void collocation_integrator::prove_by(tube_rule rule) { parts_->rule = std::move(rule); }
 
 bool collocation_integrator::is_smooth_over(const ball& time, const std::vector<ball>& state,
                                             const ball& length) const {

@@ -139,7 +139,7 @@ bool collocation_solver::factor_matrix() {
     compute_jacobians();
     const precision_scope few(decimal_digits(accuracy_.frame_bits));
     if (!modes_) {
-        modes_ = modes_of(jacobians_[nodes_.size() / 2], accuracy_.frame_bits);
+        modes_ = modes_of(jacobians_[nodes_.size() / 2], accuracy_.frame_bits, accuracy_.slowest_fast);
         if (!modes_) {
             return false;
         }

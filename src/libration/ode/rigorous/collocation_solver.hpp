@@ -16,11 +16,12 @@ namespace libration::ode {
 /// The precisions of a run of collocation.
 struct collocation_accuracy {
     int degree = 0;
-    double accepted = 0;    ///< decimal digits: the last Chebyshev coefficients of an unknown, relative to its scale
-    double aimed = 0;       ///< the target of the step size, somewhat larger
-    long bits = 0;          ///< of values at nodes
-    long frame_bits = 0;    ///< of frames
-    long product_bits = 0;  ///< of polynomials in powers of x
+    double accepted = 0;      ///< decimal digits: the last Chebyshev coefficients of an unknown, relative to its scale
+    double aimed = 0;         ///< the target of the step size, somewhat larger
+    long bits = 0;            ///< of values at nodes
+    long frame_bits = 0;      ///< of frames
+    long product_bits = 0;    ///< of polynomials in powers of x
+    double slowest_fast = 0;  ///< the limit between slow and fast modes (modes_of)
 
     /// For values to so many bits.
     static collocation_accuracy for_bits(long bits, int more_terms);

@@ -18,7 +18,6 @@ namespace libration::ode {
 
 namespace {
 
-constexpr double slowest_fast = 3;
 constexpr double turns_per_decay = 2;
 
 // Eigenvalues with left (by rows) and right eigenvectors (by columns).
@@ -101,7 +100,7 @@ bool is_fast(const std::complex<double>& value, double limit) {
 }
 
 // The position of the largest gap between fast and slow eigenvalues; the gap without fast ones counts up to 3 limits.
-double limit_of(const std::vector<std::complex<double>>& values) {
+double limit_of(const std::vector<std::complex<double>>& values, double slowest_fast) {
     std::vector<double> tried{slowest_fast, 3 * slowest_fast};
     for (const auto& each : values) {
         if (std::abs(each) > slowest_fast && std::abs(each) < 3 * slowest_fast) {
@@ -191,7 +190,7 @@ dense_matrix divided_modes::basis() const {
     return result;
 }
 
-std::optional<divided_modes> modes_of(const dense_matrix& j, long bits) {
+std::optional<divided_modes> modes_of(const dense_matrix& j, long bits, double slowest_fast) {
     const std::size_t size = j.rows;
     eigensystem eigen(size);
     if (!eigen.compute(j, bits)) {
@@ -205,7 +204,7 @@ std::optional<divided_modes> modes_of(const dense_matrix& j, long bits) {
     }
     std::ranges::stable_sort(order,
                              [&](std::size_t a, std::size_t b) { return std::abs(values[a]) > std::abs(values[b]); });
-    const double limit = limit_of(values);
+    const double limit = limit_of(values, slowest_fast);
     divided_modes result;
     ball_columns left;
     for (const std::size_t k : order) {

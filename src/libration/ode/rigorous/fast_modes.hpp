@@ -24,9 +24,9 @@ struct divided_modes {
 };
 
 /// By FLINT's approximate QR algorithm (acb_mat_approx_eig_qr), in the precision of `bits`. Fast are eigenvalues with a
-/// real part below -l, and those that turn by more than 2 l without growing, l in [3, 9] at the largest gap between
+/// real part below -l, and those that turn by more than 2 l without growing, l in [c, 3 c], c = slowest_fast, at the largest gap between
 /// both groups. std::nullopt if the algorithm does not converge.
-std::optional<divided_modes> modes_of(const dense_matrix& j, long bits);
+std::optional<divided_modes> modes_of(const dense_matrix& j, long bits, double slowest_fast);
 
 /// Appends up to `count` orthonormal vectors made of the candidates, with pivots the longest one first [Gram-Schmidt],
 /// each orthogonalised twice. In the working precision.

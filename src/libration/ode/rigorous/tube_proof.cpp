@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bound_matrix.hpp"
 #include "dense_matrix.hpp"
 #include "growth.hpp"
 #include "libration/ode/ball/step_pieces.hpp"
@@ -17,50 +18,6 @@ constexpr int parts_of_rate = 8;
 constexpr long length_in_x = 2;
 constexpr int most_tubes = 8;
 
-using bound_matrix = std::vector<magnitude>;
-
-bound_matrix product_of_bounds(const bound_matrix& a, const bound_matrix& b, std::size_t size) {
-    bound_matrix result(size * size);
-    for (std::size_t i = 0; i < size; ++i) {
-        for (std::size_t k = 0; k < size; ++k) {
-            if (a[i * size + k].is_zero()) {
-                continue;
-            }
-            for (std::size_t j = 0; j < size; ++j) {
-                result[i * size + j].add_product(a[i * size + k], b[k * size + j]);
-            }
-        }
-    }
-    return result;
-}
-
-std::vector<column_block> blocks_of(const std::vector<std::size_t>& sizes) {
-    std::vector<column_block> result;
-    std::size_t begin = 0;
-    for (const std::size_t each : sizes) {
-        result.push_back({begin, each});
-        begin += each;
-    }
-    return result;
-}
-
-// At least the Euclidean norm of a vector, and of a matrix.
-magnitude norm_of(const magnitude* values, column_block rows) {
-    magnitude result = values[rows.begin];
-    for (std::size_t i = 1; i < rows.size; ++i) {
-        result = hypotenuse(result, values[rows.begin + i]);
-    }
-    return result;
-}
-magnitude norm_of(const bound_matrix& a, std::size_t width, column_block rows, column_block columns) {
-    magnitude result;
-    for (std::size_t i = 0; i < rows.size; ++i) {
-        const magnitude row = norm_of(&a[(rows.begin + i) * width], columns);
-        result = rows.size == 1 ? row : hypotenuse(result, row);
-    }
-    return result;
-}
-
 // N with V^-1 = (1 + N) W, from |W V - 1| <= z; std::nullopt unless the row sums of z are below 1/4.
 std::optional<bound_matrix> bound_of_inverse(const bound_matrix& z, std::size_t size) {
     magnitude most;
@@ -75,7 +32,7 @@ std::optional<bound_matrix> bound_of_inverse(const bound_matrix& z, std::size_t 
         return std::nullopt;
     }
     bound_matrix result = z;
-    const bound_matrix squared = product_of_bounds(z, z, size);
+    const bound_matrix squared = product_of_bounds(z, z, size, size);
     for (std::size_t i = 0; i < size; ++i) {
         magnitude row;
         for (std::size_t j = 0; j < size; ++j) {
@@ -163,16 +120,11 @@ struct tube_proof::bounds {
 
     // a_bc and delta_b in that tube.
     comparison_system comparison(const bound_matrix& change) const {
-        bound_matrix more = product_of_bounds(inverse, product_of_bounds(change, frame, size), size);
-        bound_matrix whole = linear;
-        for (std::size_t k = 0; k < whole.size(); ++k) {
-            whole[k] += more[k];
-        }
-        const bound_matrix by_correction = product_of_bounds(correction, whole, size);
-        for (std::size_t k = 0; k < whole.size(); ++k) {
-            more[k] += by_correction[k];
-            whole[k] += by_correction[k];
-        }
+        bound_matrix more = product_of_bounds(inverse, product_of_bounds(change, frame, size, size), size, size);
+        bound_matrix whole = sum_of_bounds(linear, more);
+        const bound_matrix by_correction = product_of_bounds(correction, whole, size, size);
+        more = sum_of_bounds(more, by_correction);
+        whole = sum_of_bounds(whole, by_correction);
         comparison_system result;
         for (std::size_t b = 0; b < blocks.size(); ++b) {
             // mu(M + E) <= mu(M) + ||E||.
@@ -193,6 +145,11 @@ tube_proof::tube_proof(const polynomial_map& map, long bits, long frame_bits)
         constants_.push_back(constant_value<ball>::of(each));
         constant_bounds_.emplace_back(constants_.back());
     }
+}
+
+std::vector<ball> tube_proof::chebyshev(const ball_polynomial& of) {
+    const precision_scope scope(decimal_digits(bits_));
+    return forms_.coefficients(of);
 }
 
 // Bounds the defect, W (J V - V'), W V - 1 and the quantities derived from them.
@@ -253,58 +210,53 @@ bool tube_proof::bound_linear_part(const tube_candidate& of, bounds& to) {
         return false;
     }
     to.correction = std::move(*correction);
-    for (std::size_t i = 0; i < n; ++i) {
-        magnitude sum = turned[i];
-        for (std::size_t k = 0; k < n; ++k) {
-            sum.add_product(to.correction[i * n + k], turned[k]);
-        }
-        to.defect.push_back(sum);
-    }
+    to.defect = sum_of_bounds(turned, product_of_bounds(to.correction, turned, n, 1));
     for (const column_block& b : to.blocks) {
         to.rates.push_back(rate_of_block(forms_, linear, n, b, of.frame.slow, to.linear));
     }
     return true;
 }
 
-std::optional<std::vector<magnitude>> tube_proof::start_radii(const tube_candidate& of, const tube_set& start) const {
+// |V^-1 (y - p)| at the left end for y in the set, by V^-1 = (1 + N) W.
+std::vector<magnitude> tube_proof::start_radii(const tube_candidate& of, const tube_set& start,
+                                               const bound_matrix& correction) const {
     const std::size_t n = map_.size();
     const error_set& errors = start.errors;
-    dense_matrix frame(n, n);
+    dense_matrix back(n, n);
     std::vector<ball> gap;
     for (std::size_t i = 0; i < n; ++i) {
         gap.push_back(shifted(start.centre[i], -of.scales[i]) - value_of(of.curve[i], ball(-1)));
         for (std::size_t j = 0; j < n; ++j) {
-            frame(i, j) = value_of(of.frame.columns[i * n + j], ball(-1));
+            back(i, j) = value_of(of.frame.inverse[i * n + j], ball(-1));
         }
     }
-    const auto back = inverse(frame);
-    if (!back) {
-        return std::nullopt;
-    }
-    std::vector<magnitude> beside(n);
-    const std::vector<ball> of_gap = product(*back, gap);
+    bound_matrix beside(n);
+    const std::vector<ball> of_gap = product(back, gap);
     for (std::size_t i = 0; i < n; ++i) {
         beside[i] = magnitude(of_gap[i]);
         for (std::size_t k = 0; k < n; ++k) {
-            beside[i].add_product(magnitude((*back)(i, k)), errors.added()[k].shifted(-of.scales[k]));
+            beside[i].add_product(magnitude(back(i, k)), errors.added()[k].shifted(-of.scales[k]));
         }
     }
-    dense_matrix old(n, errors.columns().size());
-    for (std::size_t j = 0; j < errors.columns().size(); ++j) {
+    beside = sum_of_bounds(beside, product_of_bounds(correction, beside, n, 1));
+    const std::size_t width = errors.columns().size();
+    dense_matrix old(n, width);
+    for (std::size_t j = 0; j < width; ++j) {
         for (std::size_t i = 0; i < n; ++i) {
             old(i, j) = shifted(errors.columns()[j][i], -of.scales[i]);
         }
     }
     bound_matrix turned;
-    for (const ball& each : product(*back, old).entries) {
+    for (const ball& each : product(back, old).entries) {
         turned.emplace_back(each);
     }
+    turned = sum_of_bounds(turned, product_of_bounds(correction, turned, n, width));
     const auto old_blocks = blocks_of(errors.blocks());
     std::vector<magnitude> radii;
     for (const column_block& b : blocks_of(of.frame.blocks)) {
         magnitude sum = norm_of(beside.data(), b);
         for (std::size_t c = 0; c < old_blocks.size(); ++c) {
-            sum.add_product(norm_of(turned, errors.columns().size(), b, old_blocks[c]), errors.radii()[c]);
+            sum.add_product(norm_of(turned, width, b, old_blocks[c]), errors.radii()[c]);
         }
         radii.push_back(sum);
     }
@@ -319,17 +271,17 @@ std::optional<solution_tube> tube_proof::tube(const tube_candidate& of, const tu
     known.half = magnitude(of.on.length).shifted(-1);
     known.time = std::max(magnitude(of.on.start), magnitude(of.on.start + of.on.length));
     known.scales = &of.scales;
-    const auto begin = start_radii(of, start);
-    if (!begin || !bound_linear_part(of, known)) {
+    if (!bound_linear_part(of, known)) {
         return std::nullopt;
     }
+    const auto begin = start_radii(of, start, known.correction);
     std::vector<magnitude> within;
     for (std::size_t b = 0; b < known.blocks.size(); ++b) {
-        within.push_back((*begin)[b] * magnitude(4U) + norm_of(known.defect.data(), known.blocks[b]) * magnitude(8U));
+        within.push_back(begin[b] * magnitude(4U) + norm_of(known.defect.data(), known.blocks[b]) * magnitude(8U));
     }
     for (int tried = 0; tried < most_tubes; ++tried) {
         const auto change = known.change_of_derivative(map_, constant_bounds_, within);
-        const auto radii = affine_growth(known.comparison(change), *begin, length_in_x);
+        const auto radii = affine_growth(known.comparison(change), begin, length_in_x);
         if (!radii) {
             return std::nullopt;
         }

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "ball_polynomial.hpp"
+#include "bound_matrix.hpp"
 #include "libration/ode/rigorous/tube.hpp"
 
 namespace libration::ode {
@@ -23,23 +24,22 @@ struct tube_candidate {
     moving_frame frame;
 };
 
-/// Columns of V that are bounded jointly, in the Euclidean norm.
-struct column_block {
-    std::size_t begin, size;
-};
-
 class tube_proof {
 public:
     /// Defects in `bits`, frames in `frame_bits`.
     tube_proof(const polynomial_map& map, long bits, long frame_bits);
 
+    long bits() const { return bits_; }
+    /// Chebyshev coefficients of a polynomial, in `bits`.
+    std::vector<ball> chebyshev(const ball_polynomial& of);
     /// A tube that contains every solution beginning in the set; std::nullopt if the inequalities are not proved.
     std::optional<solution_tube> tube(const tube_candidate& of, const tube_set& start);
 
 private:
     struct bounds;
     bool bound_linear_part(const tube_candidate& of, bounds& to);
-    std::optional<std::vector<magnitude>> start_radii(const tube_candidate& of, const tube_set& start) const;
+    std::vector<magnitude> start_radii(const tube_candidate& of, const tube_set& start,
+                                       const bound_matrix& correction) const;
 
     const polynomial_map& map_;
     long bits_, frame_bits_;

@@ -1,0 +1,450 @@
+#!/usr/bin/env python3
+"""libration_check.py FILE: checks a certificate of values of a differential equation and prints the proved statement.
+
+The format and the theorem are in docs/certificates.md. Integers and fractions only. Exit status: 0 if it is proved.
+
+A polynomial in x on [-1, 1] is a list a of integers, with an exponent k that is kept apart:
+    2^-k (a[0] + sum over j > 0 of 2 a[j] T_j(x)) = 2^-k (sum over |j| < len(a) of a[|j|] z^j),   x = (z + 1/z)/2,
+so that the sum of all |a[|j|]| is a bound, and products are products of polynomials in z.
+"""
+import ast
+import math
+import re
+import sys
+import zlib
+from fractions import Fraction
+from itertools import zip_longest
+
+PARTS = 8                  # of a step, on each of which the rate of a mode is bounded
+ONE = Fraction(1)
+
+class Refused(Exception):
+    pass
+
+def need(condition, reason):
+    if not condition:
+        raise Refused(reason)
+
+def two(k):
+    return Fraction(2)**k
+
+def root_up(x):                                                                         # an integer >= sqrt(x)
+    return math.isqrt(x - 1) + 1 if x > 0 else 0
+
+def norm(a):                                                                            # at least |a(x)|
+    return 2 * sum(map(abs, a)) - abs(a[0]) if a else 0
+
+def value(a, x):
+    """a(x) by Clenshaw's recurrence b_j = a_j + 2 x b_(j+1) - b_(j+2), times powers of the denominator of x."""
+    u, v = x.numerator, x.denominator
+    b, power = [0, 0, 0], 1
+    for c in reversed(a):
+        b, power = [c * power + 2 * u * b[0] - v * v * b[1], b[0], b[1]], power * v
+    return Fraction(b[0] - v * v * b[2], max(power // v, 1))
+
+def derivative(a):
+    return [sum(2 * k * a[k] for k in range(j + 1, len(a), 2)) for j in range(len(a) - 1)]
+
+def scaled(a, c):
+    return [c * x for x in a]
+
+def add(a, b):
+    return [x + y for x, y in zip_longest(a, b, fillvalue=0)]
+
+def dot(u, v):
+    """The sum of u[i] v[i], by products of values at z = 2^w, w so large that the coefficients can be read off."""
+    pairs = [(a, b) for a, b in zip(u, v) if any(a) and any(b)]
+    n = max((len(a) + len(b) for a, b in pairs), default=1) - 1
+    w = sum(norm(a) * norm(b) for a, b in pairs).bit_length() + 2
+    half, total = 1 << w - 1, sum(1 << w * i + w - 1 for i in range(2 * n - 1))
+    for a, b in pairs:
+        x, y = [sum(c << w * i for i, c in enumerate(f[:0:-1] + f)) for f in (a, b)]
+        total += x * y << w * (n - len(a) - len(b) + 1)
+    return [(total >> w * i & 2 * half - 1) - half for i in range(n - 1, 2 * n - 1)]
+
+DERIVATIVES = {"exp": "w", "log": "1/u", "sin": "cos(u)", "cos": "-sin(u)"}
+OPERATORS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Pow: "^"}
+
+def formula(text):
+    """Nested tuples ("+", a, b), ("*", a, b), ("/", a, b), ("^", a, fraction), (function, a); names; fractions."""
+    names = []
+    def tree(node):
+        if isinstance(node, ast.BinOp) and type(node.op) in OPERATORS:
+            kind, a, b = OPERATORS[type(node.op)], tree(node.left), tree(node.right)
+            if kind == "^":
+                return kind, a, as_polynomial(b, {}, {}).get((), Fraction(0))
+            return ("+", a, ("*", -ONE, b)) if kind == "-" else (kind, a, b)
+        if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
+            return "*", -ONE, tree(node.operand)
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and len(node.args) == 1:
+            return names[int(node.func.id[1:])], tree(node.args[0])
+        if isinstance(node, ast.Name):
+            return names[int(node.id[1:])]
+        need(isinstance(node, ast.Constant) and type(node.value) is int, "'%s' is not understood" % text)
+        return Fraction(node.value)
+    code = re.sub(r"(?<!\w)[^\W\d]\w*'*", lambda m: names.append(m.group()) or "n%d" % (len(names) - 1), text)
+    return tree(ast.parse(code.replace("^", "**"), mode="eval").body)
+
+# A polynomial in the variable (number 0) and the unknowns (1, 2, ...): {sorted tuple of numbers: coefficient}.
+def plus(a, b):
+    result = {m: a.get(m, 0) + b.get(m, 0) for m in {**a, **b}}
+    return {m: x for m, x in result.items() if x}
+
+def times(a, b):
+    result = {}
+    for m, x in a.items():
+        result = plus(result, {tuple(sorted(m + k)): x * y for k, y in b.items()})
+    return result
+
+def power(a, n):
+    need(0 <= n <= 100, "an exponent is out of range")
+    return times(a, power(a, n - 1)) if n else {(): ONE}
+
+def partial(a, k):
+    return {m[:m.index(k)] + m[m.index(k) + 1:]: x * m.count(k) for m, x in a.items() if k in m}
+
+def as_polynomial(tree, names, added):
+    """`names`: polynomials of the names; `added`: those of the added unknowns, by (kind, argument, exponent)."""
+    def find(kind, u, exponent=None):
+        key = kind, frozenset(u.items()), exponent
+        need(key in added, "no added unknown is defined as the '%s' that an equation needs" % kind)
+        return added[key]
+    if isinstance(tree, Fraction):
+        return {(): tree} if tree else {}
+    if isinstance(tree, str):
+        need(tree in names, "unknown name '%s'" % tree)
+        return names[tree]
+    kind, u = tree[0], as_polynomial(tree[1], names, added)
+    if kind in ("+", "*", "/"):
+        v = as_polynomial(tree[2], names, added)
+        if kind == "/":
+            v = {(): 1 / v[()]} if set(v) == {()} else find("/", v)
+        return plus(u, v) if kind == "+" else times(u, v)
+    if kind != "^":
+        return find(kind, u)
+    r = tree[2]
+    if r.denominator == 1:
+        inverse = {(): ONE / u[()]} if set(u) == {()} else find("/", u) if r < 0 else {}
+        return power(u, r.numerator) if r >= 0 else power(inverse, -r.numerator)
+    if abs(r.numerator) > 64 or r.denominator > 6:
+        return find("^", u, r)
+    k = max(0, math.ceil(r))
+    return times(power(u, k), power(find("^", u, Fraction(-1, r.denominator)), k * r.denominator - r.numerator))
+
+class Enclosures:
+    """Values of formulas as pairs (lower, upper) of fractions, functions to about `bits` bits behind the point."""
+
+    def __init__(self, bits):
+        self.bits = bits
+
+    def of(self, tree, names):
+        if isinstance(tree, Fraction):
+            return tree, tree
+        if isinstance(tree, str):
+            need(tree in names or tree == "pi", "unknown name '%s'" % tree)
+            return names[tree] if tree in names else self.pi()
+        kind, (a, b) = tree[0], self.of(tree[1], names)
+        if kind in ("+", "*", "/"):
+            c, d = self.of(tree[2], names)
+            need(kind != "/" or c > 0 or d < 0, "a start divides by 0")
+            c, d = (1 / d, 1 / c) if kind == "/" else (c, d)
+            four = a * c, a * d, b * c, b * d
+            return (a + c, b + d) if kind == "+" else (min(four), max(four))
+        if kind in ("exp", "sin", "cos"):                      # |sin'|, |cos'| <= 1, and exp increases
+            low, high = self.entire(a, kind)
+            return (low, self.entire(b, kind)[1]) if kind == "exp" else (low - (b - a), high + (b - a))
+        r = tree[2] if kind == "^" else ONE
+        if kind == "^" and r.denominator == 1 and r >= 0 and (a >= 0 or r.numerator % 2):
+            return a**r.numerator, b**r.numerator
+        need(a > 0 and kind in ("^", "log"), "a start takes the '%s' of a number that is not positive" % kind)
+        low, high = sorted((a**r.numerator, b**r.numerator))
+        return (self.log(a)[0], self.log(b)[1]) if kind == "log" else (
+            self.root(low, r.denominator), self.root(high, r.denominator) + two(-self.bits))
+
+    def root(self, x, q):                          # 2^-bits floor(2^bits x^(1/q))
+        whole = math.floor(x * two(self.bits * q))
+        low, high = 0, 2 << whole.bit_length() // q
+        while high - low > 1:
+            middle = (low + high) // 2
+            low, high = (middle, high) if middle**q <= whole else (low, middle)
+        return low * two(-self.bits)
+
+    def entire(self, x, kind):
+        """By terms x^j/j!: each has an error below 2 e^|x| units, the argument one of e^|x|, the rest is below 8."""
+        need(abs(x) < 1000, "a start has an argument that is too large")
+        bits = self.bits + 2 * math.ceil(abs(x)) + 40
+        factor, t = math.floor(x * two(bits)), [1 << bits]
+        while abs(t[-1]) > 1 or len(t) < 2 * abs(x) + 2:
+            t.append((t[-1] * factor >> bits) // len(t))
+        odd = kind == "sin"
+        total = sum(t) if kind == "exp" else sum(t[odd::4]) - sum(t[odd + 2::4])
+        error = (2 * len(t) + 10) * 3**math.ceil(abs(x))
+        return (total - error) * two(-bits), (total + error) * two(-bits)
+
+    def odd_series(self, z, sign):
+        """The sum of sign^j z^(2j+1)/(2j+1), |z| <= 1/3, and a bound of its error: 3 units a power, the rest."""
+        bits = self.bits + 40
+        factor = p = math.floor(z * two(bits))
+        total = count = 0
+        while abs(p) > 1:
+            total, count = total + sign**count * (p // (2 * count + 1)), count + 1
+            p = (p * factor >> bits) * factor >> bits
+        return total * two(-bits), (4 * count + 16) * two(-bits)
+
+    def log(self, x):
+        """log(2^k m) = 2 artanh((m - 1)/(m + 1)) + 2 k artanh(1/3), 1/2 <= m <= 2."""
+        k = x.numerator.bit_length() - x.denominator.bit_length()
+        (a, da), (b, db) = self.odd_series((x - two(k)) / (x + two(k)), 1), self.odd_series(ONE / 3, 1)
+        return 2 * (a + k * b - da - abs(k) * db), 2 * (a + k * b + da + abs(k) * db)
+
+    def pi(self):                                  # 16 arctan(1/5) - 4 arctan(1/239)
+        (a, da), (b, db) = self.odd_series(ONE / 5, -1), self.odd_series(ONE / 239, -1)
+        return 16 * (a - da) - 4 * (b + db), 16 * (a + da) - 4 * (b - db)
+
+class Reader:
+    def __init__(self, text):
+        self.lines, self.at = text.split("\n"), 0
+
+    def line(self, word=None):                     # the fields of the next line, behind a word that it begins with
+        need(self.at < len(self.lines), "the file ends early")
+        t = self.lines[self.at].split(" ") if self.lines[self.at] else []
+        self.at += 1
+        need(word is None or t[:1] == [word], "line %d: '%s' expected" % (self.at, word))
+        return t if word is None else t[1:]
+
+    def all(self, word):                           # the lines that begin with a word
+        found = []
+        while self.at < len(self.lines) and self.lines[self.at].startswith(word + " "):
+            found.append(" ".join(self.line(word)))
+        return found
+
+    def integers(self, word, count):
+        t = self.line(word)
+        need(len(t) == count and all(re.fullmatch("-?[0-9]{1,5}", x, re.ASCII) for x in t),
+             "line %d: %d integers of at most 5 digits expected" % (self.at, count))
+        return [int(x) for x in t]
+
+    def section(self, word, exponents, lists):     # a line with exponents, and lists of integers
+        k, found = self.integers(word, exponents), [self.line() for _ in range(lists)]
+        need(all(re.fullmatch("-?[0-9a-f]+", x, re.ASCII) for t in found for x in t), "'%s': bad coefficients" % word)
+        return k, [[int(x, 16) for x in t] for t in found]
+
+def fraction(text):
+    need(re.fullmatch(r"-?\d+(/0*[1-9]\d*|(\.\d+)?(e[-+]?\d{1,5})?)", text, re.ASCII), "'%s' is not a number" % text)
+    return Fraction(text)
+
+class Problem:
+    """The head of a certificate: equations, their polynomial form, enclosures of the start, claimed values."""
+    def __init__(self, r):
+        need(r.line("libration-certificate") == ["1"], "not a certificate of version 1")
+        self.variable, self.t0 = " ".join(r.line("variable")), fraction(" ".join(r.line("at")))
+        self.equations = [x.split(" = ") for x in r.all("equation")]
+        need(all(len(x) == 2 and re.fullmatch(r"[^\W\d]\w*'+", x[0]) for x in self.equations), "an unclear equation")
+        self.state = [x[:len(x) - k] for x, _ in self.equations for k in range(x.count("'"), 0, -1)]
+        self.starts, defined = r.all("start"), [x.split(" = ") for x in r.all("define")]
+        names = [self.variable] + self.state + [x[0] for x in defined]
+        need(len(self.starts) == len(self.state) and len(set(names)) == len(names), "names and starts do not match")
+        self.bits, start_bits = r.integers("bits", 2)
+        need(16 <= self.bits <= start_bits, "the numbers of bits are out of range")
+        self.claims = [x.split(" ") for x in r.all("claim")]
+        need(self.claims and all(len(x) == 4 and x[1] in self.state for x in self.claims), "an unclear claim")
+        (self.steps,) = r.integers("steps", 1)
+        self.make_polynomial_form(names, [(name, formula(text)) for name, text in defined], Enclosures(start_bits))
+
+    def make_polynomial_form(self, names, defined, values):
+        """right[i] with y_(i+1)' = right[i], by the chain rule for the added unknowns, and enclosures of the start."""
+        own = {x: {(k,): ONE} for k, x in enumerate(names)}
+        start, added, arguments = {self.variable: (self.t0, self.t0)}, {}, []
+        for name, text in zip(self.state, self.starts):
+            start[name] = values.of(formula(text), {})
+        for name, tree in defined:
+            need(type(tree) is tuple and (tree[0] in DERIVATIVES or tree[0] == "^" or tree[:2] == ("/", ONE)),
+                 "%s is not defined as a function" % name)
+            u = as_polynomial(tree[2 if tree[0] == "/" else 1], {x: own[x] for x in start}, added)
+            added[tree[0], frozenset(u.items()), tree[2] if tree[0] == "^" else None] = own[name]
+            start[name] = values.of(tree, start)
+            arguments.append((tree[0], tree[-1], u, own[name]))
+        self.start, self.right = [start[x] for x in names[1:]], []
+        for name, text in self.equations:
+            self.right += [own[name[:len(name) - k]] for k in range(name.count("'") - 1, 0, -1)]
+            self.right.append(as_polynomial(formula(text), own, added))
+        for kind, r, u, w in arguments:
+            slope = partial(u, 0)
+            for k, f in enumerate(self.right):
+                slope = plus(slope, times(partial(u, k + 1), f))
+            rule = DERIVATIVES.get(kind, "-w^2" if kind == "/" else "(%s)*w/u" % r)
+            if kind == "^" and r.numerator == -1:
+                rule = "(%s)*w^%d" % (r, r.denominator + 1)
+            self.right.append(times(as_polynomial(formula(rule), {"u": u, "w": w}, added), slope))
+
+    def statement(self):
+        starts = ["%s(%s) = %s" % (x, self.t0, y) for x, y in zip(self.state, self.starts)]
+        last = max((fraction(x[0]) for x in self.claims), key=lambda t: abs(t - self.t0))
+        return "The solution of\n    %s,\n    %s\nexists on [%s, %s], and\n%s." % (
+            ",  ".join("%s = %s" % tuple(x) for x in self.equations), ",  ".join(starts), min(self.t0, last),
+            max(self.t0, last), ",\n".join("    %s(%s) lies in [%s, %s]" % (x[1], x[0], *x[2:]) for x in self.claims))
+
+def matrix(n, entry):
+    return [[entry(i, j) for j in range(n)] for i in range(n)]
+
+def size_of(a, rows, columns):                                                          # at least the Euclidean norm
+    return root_up(sum(a[i][j]**2 for i in rows for j in columns))
+
+class Step:
+    """One step: polynomials of the scaled unknowns and their frame, brought to one exponent each."""
+    def __init__(self, r, problem, begin):
+        self.n, self.problem, self.begin = n, problem, begin = len(problem.right), problem, begin
+        (k,), ((h,),) = r.section("step", 1, 1)
+        self.length = h * two(-k)
+        need(h != 0, "the length is 0")
+        self.scales, sizes = r.integers("scale", n), r.line("blocks")
+        need(set(sizes) <= {"1", "2"} and sum(map(int, sizes)) == n, "the blocks are not of 1 and 2 columns")
+        at = [sum(map(int, sizes[:b])) for b in range(len(sizes) + 1)]
+        self.blocks = [range(*x) for x in zip(at, at[1:])]
+        (self.kp,), self.p = r.section("p", 1, n)
+        (kv, v), (ku, u) = r.section("V", n, n * n), r.section("U", n, n * n)
+        self.kv, self.ku = max(0, *kv), max(0, *ku)
+        self.V = matrix(n, lambda i, j: scaled(v[i * n + j], 1 << self.kv - kv[j]))
+        self.U = matrix(n, lambda i, j: scaled(u[i * n + j], 1 << self.ku - ku[i]))
+        k, (first, last) = r.section("radii", len(sizes), 2)
+        need(len(first) == len(last) == len(sizes) and min(first + last) >= 0, "the radii are not numbers >= 0")
+        self.R0, self.R1 = [[self.up(m * two(-e)) for m, e in zip(x, k)] for x in (first, last)]
+
+    def up(self, x):
+        return math.ceil(x * (1 << self.problem.bits))
+
+    def bound(self, a, k):                                                              # of |2^-k a(x)|
+        return self.up(norm(a) * two(-k))
+
+    def times(self, a, b):                         # the product of two matrices of bounds
+        return [[-(-sum(x * y for x, y in zip(row, column)) >> self.problem.bits) for column in zip(*b)] for row in a]
+
+    def check(self, old):
+        n = self.n
+        Z = matrix(n, lambda i, j: add(dot(self.U[i], [row[j] for row in self.V]), [-(i == j) << self.ku + self.kv]))
+        z = [[self.bound(a, self.ku + self.kv) for a in row] for row in Z]
+        one, q = 1 << self.problem.bits, max(map(sum, z))
+        need(2 * q <= one, "frame: U is not nearly the inverse of V")
+        zz = [-(-(sum(row) << self.problem.bits) // (one - q)) for row in self.times(z, z)]
+        self.N1 = matrix(n, lambda i, j: z[i][j] + zz[i] + one * (i == j))            # V^-1 = M U, |M| <= N1
+        self.check_joint(old)
+        delta, J, DJ, size, Q, k = self.field()
+        kb = self.ku + self.kv + k
+        H = matrix(n, lambda i, j: dot(J[i], [row[j] for row in self.V]))
+        H = matrix(n, lambda i, j: add(H[i][j], scaled(derivative(self.V[i][j]), -Q << k)))
+        B = matrix(n, lambda i, j: dot(self.U[i], [row[j] for row in H]))
+        bound = [[self.up(norm(a) / (Q * two(kb))) for a in row] for row in B]
+        C = self.times([[self.bound(a, self.ku) for a in row] for row in self.U], self.times(DJ, size))
+        C = self.times(self.N1, [[x + y for x, y in zip(*rows)] for rows in zip(bound, C)])
+        more = matrix(n, lambda i, j: C[i][j] - bound[i][j])                            # |V^-1(..) - B| in the tube
+        rates = [self.rate(B, rows, Q * two(kb)) + size_of(more, rows, rows) for rows in self.blocks]
+        for end, r in (("left", self.R0), ("right", self.R1)):
+            for b, rows in enumerate(self.blocks):
+                growth = size_of(delta, rows, range(1)) << self.problem.bits
+                growth += sum((rates[b] if c == b else size_of(C, rows, columns)) * r[c]
+                              for c, columns in enumerate(self.blocks))
+                need(2 * growth <= self.R1[b] - self.R0[b] << self.problem.bits,
+                     "growth of the radius of block %d at the %s end" % (b + 1, end))
+
+    def rate(self, B, rows, unit):                 # at least the largest eigenvalue of the symmetric part of a block
+        def above(a):
+            slope = Fraction(norm(derivative(a)), PARTS)
+            return [self.up((value(a, Fraction(2 * k + 1 - PARTS, PARTS)) + slope) / unit) for k in range(PARTS)]
+        i = rows[0]
+        if len(rows) == 1:
+            return min(self.up(norm(B[i][i]) / unit), max(above(B[i][i])))
+        a, d, mixed = above(B[i][i]), above(B[i + 1][i + 1]), add(B[i][i + 1], B[i + 1][i])
+        c = [max(abs(x), abs(y)) for x, y in zip(above(mixed), above(scaled(mixed, -1)))]
+        return max(-(-(x + y + root_up((x - y)**2 + w * w)) // 2) for x, y, w in zip(a, d, c))
+
+    def check_joint(self, old):                    # {centre + frame e}, in which the step begins, is in its tube
+        centre, frame, blocks, radii = old
+        R, U = range(self.n), [[value(a, -ONE) * two(-self.ku) for a in row] for row in self.U]
+        gap = [centre[i] * two(-self.scales[i]) - value(self.p[i], -ONE) * two(-self.kp) for i in R]
+        F = [[x * two(-self.scales[i]) for x in frame[i]] for i in R]
+        turned = self.times(self.N1, matrix(self.n, lambda i, j: self.up(abs(sum(U[i][l] * F[l][j] for l in R)))))
+        moved = self.times(self.N1, [[self.up(abs(sum(U[i][l] * gap[l] for l in R)))] for i in R])
+        for b, rows in enumerate(self.blocks):
+            total = size_of(moved, rows, range(1)) << self.problem.bits
+            total += sum(size_of(turned, rows, columns) * r for columns, r in zip(blocks, radii))
+            need(total <= self.R0[b] << self.problem.bits, "start or joint: radius of block %d" % (b + 1))
+
+    def field(self):
+        """Bounds of V^-1 (p' - f), J = f_y(p) in units of 1/(Q 2^k), bounds of its change in the tube, and of V."""
+        n, right, e = self.n, self.problem.right, [0] + self.scales
+        time = [self.begin + self.length / 2, self.length / 4]
+        q = math.lcm(*[x.denominator for x in time if any(0 in m for f in right for m in f)])
+        kp = max(self.kp, q.bit_length())
+        p = [[math.floor(x * q) << kp for x in time]] + [scaled(a, 1 << kp - self.kp) for a in self.p]
+        terms = [(i, m, c * self.length / 2 / q**m.count(0) * two(sum(e[l] for l in m) - e[i + 1]))
+                 for i, f in enumerate(right) for m, c in f.items()]                    # of f in scaled unknowns
+        Q, most = math.lcm(*[c.denominator for _, _, c in terms]), max([len(m) for _, m, _ in terms] + [1])
+        product = {(): [1]}
+        for m in sorted({m[:at] + m[at + k:] for _, m, _ in terms for at in range(len(m)) for k in (0, 1)}, key=len):
+            for at in range(1, len(m) + 1):
+                if m[:at] not in product:
+                    product[m[:at]] = dot([product[m[:at - 1]]], [p[m[at - 1]]])
+        d, J = [scaled(derivative(a), Q << (most - 1) * kp) for a in p[1:]], matrix(n, lambda i, j: [])
+        size = [[self.bound(a, self.kv) for a in row] for row in self.V]
+        radii = [max(x) for x in zip(self.R0, self.R1)]
+        rho = [0] + [-(-sum(size_of([row], [0], rows) * r for rows, r in zip(self.blocks, radii)) >> self.problem.bits)
+                     for row in size]
+        reach, DJ = [self.bound(a, kp) for a in p], matrix(n, lambda i, j: 0)
+        for i, m, c in terms:
+            d[i] = add(d[i], scaled(product[m], -int(c * Q) << (most - len(m)) * kp))
+            for at, l in enumerate(m):
+                if l:
+                    rest = m[:at] + m[at + 1:]
+                    J[i][l - 1] = add(J[i][l - 1], scaled(product[rest], int(c * Q) << (most - len(m)) * kp))
+                    change = math.prod(reach[x] + rho[x] for x in rest) - math.prod(reach[x] for x in rest)
+                    DJ[i][l - 1] += self.up(abs(c) * change / (1 << self.problem.bits * len(rest)))
+        turned = [[self.up(norm(dot(row, d)) / (Q * two(self.ku + most * kp)))] for row in self.U]
+        return self.times(self.N1, turned), J, DJ, size, Q, (most - 1) * kp
+
+    def at(self, x):                               # the set at x: centre, frame, blocks and radii
+        return ([value(a, x) * two(e - self.kp) for a, e in zip(self.p, self.scales)],
+                [[value(a, x) * two(e - self.kv) for a in row] for row, e in zip(self.V, self.scales)], self.blocks,
+                [math.ceil(a + (b - a) * (x + 1) / 2) for a, b in zip(self.R0, self.R1)])
+
+    def check_claim(self, claim):                  # true if its time is in the step: its interval contains the tube
+        x = 2 * (fraction(claim[0]) - self.begin) / self.length - 1
+        if not -1 <= x <= 1:
+            return False
+        i, (centre, frame, blocks, radii) = self.problem.state.index(claim[1]), self.at(x)
+        row = [[self.up(abs(a)) for a in frame[i]]]
+        reach = sum(size_of(row, [0], rows) * r for rows, r in zip(blocks, radii)) * two(-2 * self.problem.bits)
+        need(fraction(claim[2]) <= centre[i] - reach and centre[i] + reach <= fraction(claim[3]),
+             "the value of %s at %s is not proved to be in its interval" % (claim[1], claim[0]))
+        return True
+
+def check(text):                                   # the proved statement; raises Refused
+    r = Reader(text)
+    problem = Problem(r)
+    n, time, claims = len(problem.right), problem.t0, problem.claims
+    state = ([(a + b) / 2 for a, b in problem.start], matrix(n, lambda i, j: ONE * (i == j)),
+             [range(i, i + 1) for i in range(n)],
+             [math.ceil((b - a) / 2 * two(problem.bits)) for a, b in problem.start])
+    for number in range(1, problem.steps + 1):
+        try:
+            step = Step(r, problem, time)
+            step.check(state)
+            claims = [x for x in claims if not step.check_claim(x)]
+        except Refused as reason:
+            raise Refused("step %d: %s" % (number, reason)) from None
+        time, state = time + step.length, step.at(ONE)
+    need(r.lines[r.at:] == ["end", ""], "the steps do not end with 'end'")
+    need(not claims, "no step contains the time of a claim")
+    return problem.statement()
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit("usage: python3 -I libration_check.py FILE")
+    try:
+        print("Proved:\n" + check(zlib.decompress(open(sys.argv[1], "rb").read()).decode()))
+    except Exception as reason:                        # Refused, or not a text of the format
+        print("Not proved: %s" % (reason if isinstance(reason, Refused) else "not a certificate, %r" % reason))
+        return 1
+    return 0
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,41 @@
+// Certificates of values of a solution: texts from which a program in integers proves them (docs/certificates.md).
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "libration/ode/explicit_system.hpp"
+#include "libration/scalar/ball/ball.hpp"
+
+namespace libration::ode {
+
+/// An interval that contains a value: its ends as decimals and as fractions.
+struct decimal_interval {
+    std::string lower, upper;
+    rational low, high;
+};
+
+/// The numbers within one unit of the last digit of a decimal; of "0" those within 10^-digits.
+decimal_interval within_one_unit(const std::string& decimal, long digits);
+
+/// The value of an unknown or a lower derivative, by its index in names_of_state().
+struct claimed_value {
+    rational time;
+    std::size_t place = 0;
+    decimal_interval in;
+};
+
+/// The text of a certificate: the equations as typed, the definitions of the unknowns added by the polynomial form, and
+/// for each step of theorem K (tube.hpp) exact polynomials, frames and radii, with as few bits as prove the values. The
+/// precision is increased from run to run until they do. `digits` is the number of digits of the first run;
+/// `watch` is a progress callback with the time reached and the bits, an exception that it throws ends the work.
+///
+/// Throws error of the subject "certificate": of the kind argument if the format does not contain the problem (numbers
+/// that are not fractions, functions except exp, log, sin, cos and powers, singular initial points, times on both sides
+/// of the initial point); of the kind undecided if no step is proved at some time, or the values are not proved within
+/// the limits.
+std::string certificate_of(const explicit_system& system, const std::vector<claimed_value>& values, long digits,
+                           const std::function<void(const ball& reached, long bits)>& watch = {});
+
+}  // namespace libration::ode

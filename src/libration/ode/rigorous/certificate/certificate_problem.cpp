@@ -1,0 +1,166 @@
+#include "certificate_problem.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+#include "libration/ode/node_values.hpp"
+
+namespace libration::ode {
+
+namespace {
+
+constexpr std::size_t longest_formula = 100'000;
+
+[[noreturn]] void refuse_problem(const std::string& what, const std::string& remedy) {
+    throw error(error_kind::argument, "certificate", "", what + ": " + remedy);
+}
+
+// How tightly the outermost operation of a text binds.
+enum class binding { sum, product, power, operand };
+
+struct formula_part {
+    std::string text;
+    binding by = binding::operand;
+
+    std::string within(binding least) const { return by < least ? "(" + text + ")" : text; }
+};
+
+formula_part text_of_fraction(const rational& q) {
+    return {q.str(), q < 0 ? binding::sum : denominator(q) == 1 ? binding::operand : binding::product};
+}
+
+// Formulas of expressions, with these names of the unknowns.
+class formula_text {
+public:
+    formula_text(std::string variable, std::map<std::string, std::string> names)
+        : variable_(std::move(variable)), names_(std::move(names)) {}
+
+    std::string of(const expression& whole) const {
+        node_values<formula_part> done;
+        return done.of(whole, [&](const expression& e) { return limited(text_of(e, done)); }).text;
+    }
+
+private:
+    static formula_part limited(formula_part made) {
+        if (made.text.size() > longest_formula) {
+            refuse_problem("does not contain formulas as long as those of these equations", "leave it out");
+        }
+        return made;
+    }
+
+    formula_part text_of(const expression& e, const node_values<formula_part>& done) const {
+        switch (e.kind()) {
+            case node_kind::constant: return text_of_constant(e);
+            case node_kind::variable: return {variable_};
+            case node_kind::unknown:
+            case node_kind::parameter: return {names_.at(primed(e.name(), e.derivative()))};
+            case node_kind::sum: return sum(done.at(e.left()), done.at(e.right()));
+            case node_kind::product: return product(e, done.at(e.left()), done.at(e.right()));
+            case node_kind::quotient:
+                return {done.at(e.left()).within(binding::product) + "/" + done.at(e.right()).within(binding::power),
+                        binding::product};
+            case node_kind::power: return power(done.at(e.left()), e.right());
+            case node_kind::function: break;
+        }
+        return function(e, done.at(e.left()));
+    }
+
+    static formula_part text_of_constant(const expression& e) {
+        const auto q = e.fraction();
+        if (!q) {
+            refuse_problem("contains only fractions as constants, and these equations have another one",
+                           "replace it by a fraction, or leave the certificate out");
+        }
+        return text_of_fraction(*q);
+    }
+
+    static formula_part sum(const formula_part& a, const formula_part& b) {
+        const bool minus = b.text.starts_with('-');
+        return {a.text + (minus ? " - " + b.text.substr(1) : " + " + b.text), binding::sum};
+    }
+
+    static formula_part product(const expression& e, const formula_part& a, const formula_part& b) {
+        const std::string right = b.within(binding::product);
+        if (e.left().is(-1)) {
+            return {"-" + right, binding::sum};
+        }
+        const bool negative = e.left().kind() == node_kind::constant && a.text.starts_with('-');
+        return {(negative ? a.text : a.within(binding::product)) + "*" + right,
+                negative ? binding::sum : binding::product};
+    }
+
+    static formula_part power(const formula_part& base, const expression& exponent) {
+        const formula_part by = text_of_constant(exponent);
+        return {base.within(binding::operand) + "^" + by.within(binding::operand), binding::power};
+    }
+
+    static formula_part function(const expression& e, const formula_part& argument) {
+        if (e.function() == function_kind::sqrt) {
+            return {argument.within(binding::operand) + "^(1/2)", binding::power};
+        }
+        constexpr std::array contained{function_kind::exp, function_kind::log, function_kind::sin, function_kind::cos};
+        if (std::ranges::find(contained, e.function()) != contained.end()) {
+            return {std::string(name_of(e.function())) + "(" + argument.text + ")"};
+        }
+        refuse_problem("contains the functions exp, log, sin, cos, sqrt and powers, and these equations have " +
+                           std::string(name_of(e.function())),
+                       "leave it out");
+    }
+
+    std::string variable_;
+    std::map<std::string, std::string> names_;
+};
+
+// A fraction, or a multiple of pi.
+std::string start_text(const number& value, const std::string& name) {
+    const auto plain = value.plain();
+    if (plain && plain->measure == unit::one) {
+        return plain->coefficient.str();
+    }
+    if (plain && plain->measure == unit::pi) {
+        return plain->coefficient.str() + "*pi";
+    }
+    refuse_problem(
+        "contains fractions and multiples of pi as initial values, and that of " + name + " is another number",
+        "replace it by a fraction, or leave the certificate out");
+}
+
+}  // namespace
+
+std::string problem_of_certificate(const explicit_system& system, const lifted_system& form) {
+    const auto point = system.point().fraction();
+    if (!point) {
+        refuse_problem("contains a fraction as initial time, and this one is another number",
+                       "choose a fraction, or leave the certificate out");
+    }
+    const auto state = names_of_state(system);
+    std::map<std::string, std::string> names;
+    for (const std::string& each : state) {
+        names.emplace(each, each);
+    }
+    const formula_text in_state(system.variable(), names);
+    std::string text = "variable " + system.variable() + "\nat " + point->str() + "\n";
+    for (std::size_t i = 0; i < system.unknowns().size(); ++i) {
+        const unknown_function& each = system.unknowns()[i];
+        text += "equation " + primed(each.name, each.order) + " = " + in_state.of(system.right()[i]) + "\n";
+    }
+    std::size_t place = 0;
+    for (const auto& values : system.starts()) {
+        for (const number& each : values) {
+            text += "start " + start_text(each, state[place++]) + "\n";
+        }
+    }
+    names.clear();
+    for (std::size_t k = 0; k < form.leaves.size(); ++k) {
+        names.emplace(form.leaves[k].name(), k < form.given ? state[k] : "_" + std::to_string(k - form.given + 1));
+    }
+    const formula_text in_form(system.variable(), names);
+    for (std::size_t k = 0; k < form.added.size(); ++k) {
+        text += "define _" + std::to_string(k + 1) + " = " + in_form.of(form.added[k]) + "\n";
+    }
+    return text;
+}
+
+}  // namespace libration::ode
