@@ -184,12 +184,14 @@ int libration_problem_singularities(const libration_problem *problem, const char
 int libration_problem_limits(const libration_problem *problem, long digits, libration_table **limits);
 /* The parameters or initial values `unknowns`, "k, f''(0)", for which as many conditions hold, "f'(5) = 1; f(5) = 2",
  * near the values that the problem has, proved: name, value. A condition at infinity, "f'(inf) = 1", is decided by a
- * lemma about a problem of the catalogue; UNDECIDED without one. */
+ * lemma about a problem of the catalogue; UNDECIDED without one. The callback is called in integrations, with 0, since
+ * the number of these is not known before; not in a proof by a lemma. */
 int libration_problem_find(const libration_problem *problem, const char *unknowns, const char *conditions, long digits,
-                           libration_table **values);
+                           libration_watch watch, void *context, libration_table **values);
 /* The periodic orbit near the initial values of an autonomous problem, proved: name, value of the unknowns and their
- * lower derivatives on a section, and of the period. */
-int libration_problem_orbit(const libration_problem *problem, long digits, libration_table **orbit);
+ * lower derivatives on a section, and of the period. The callback is called in integrations, with 0. */
+int libration_problem_orbit(const libration_problem *problem, long digits, libration_watch watch, void *context,
+                            libration_table **orbit);
 void libration_problem_free(libration_problem *problem);
 
 /* The catalogue of problems: names and texts, numbered from 0; empty if out of range. */
