@@ -336,20 +336,24 @@ module libration
             integer(c_long), value :: digits
             type(c_ptr), intent(out) :: limits
         end function
-        function libration_problem_find(problem, unknowns, conditions, digits, values) bind(c)
-            import :: c_ptr, c_char, c_long, c_int
+        function libration_problem_find(problem, unknowns, conditions, digits, watch, context, values) bind(c)
+            import :: c_ptr, c_char, c_long, c_int, c_funptr
             integer(c_int) :: libration_problem_find
             type(c_ptr), value :: problem
             character(kind=c_char), intent(in) :: unknowns(*)
             character(kind=c_char), intent(in) :: conditions(*)
             integer(c_long), value :: digits
+            type(c_funptr), value :: watch
+            type(c_ptr), value :: context
             type(c_ptr), intent(out) :: values
         end function
-        function libration_problem_orbit(problem, digits, orbit) bind(c)
-            import :: c_ptr, c_long, c_int
+        function libration_problem_orbit(problem, digits, watch, context, orbit) bind(c)
+            import :: c_ptr, c_long, c_int, c_funptr
             integer(c_int) :: libration_problem_orbit
             type(c_ptr), value :: problem
             integer(c_long), value :: digits
+            type(c_funptr), value :: watch
+            type(c_ptr), value :: context
             type(c_ptr), intent(out) :: orbit
         end function
         subroutine libration_problem_free(problem) bind(c)

@@ -196,12 +196,14 @@ int libration_problem_events(const libration_problem *problem, const char *condi
                              libration_table **events);
 /* The parameters or initial values `unknowns`, "k, f''(0)", for which as many conditions hold, "f'(5) = 1; f(5) = 2",
  * near the values that the problem has, proved: name, value. A condition at infinity, "f'(inf) = 1", is decided by a
- * lemma about a problem of the catalogue; UNDECIDED without one. */
+ * lemma about a problem of the catalogue; UNDECIDED without one. The callback is called in integrations, with 0, since
+ * the number of these is not known before; not in a proof by a lemma. */
 int libration_problem_find(const libration_problem *problem, const char *unknowns, const char *conditions, long digits,
-                           libration_table **values);
+                           libration_watch watch, void *context, libration_table **values);
 /* The periodic orbit near the initial values of an autonomous problem, proved: name, value of the unknowns and their
- * lower derivatives on a section, and of the period. */
-int libration_problem_orbit(const libration_problem *problem, long digits, libration_table **orbit);
+ * lower derivatives on a section, and of the period. The callback is called in integrations, with 0. */
+int libration_problem_orbit(const libration_problem *problem, long digits, libration_watch watch, void *context,
+                            libration_table **orbit);
 void libration_problem_free(libration_problem *problem);
 
 /* Solutions in double precision by Taylor series, an error of some units in the last place of max(1, largest |value|) per
@@ -239,8 +241,9 @@ int libration_list_radius(const char *coefficients, long digits, libration_table
 
 /* `names` are the columns of `values`, "theta", "theta,omega" or some of the names of a problem; `values` a list row by
  * row, one row per time, decimals or hexadecimal floats as written, also nan and inf. `rules` are "tolerance = 1e-12",
- * "relative = 1e-9", "ulp = 4" (units in the last place of a double of max(1, |true value|)), "modulo = 2pi" for theta,
- * separated by ;, or NULL: one unit of the last digit as written. A table: time, verdict (ok, miss), condition, and for
+ * "relative = 1e-9", "ulp = 4" (units in the last place of a double of max(1, |true value|)), "rounding = half" (half a
+ * unit of the last digit as written), "modulo = 2pi" for theta, separated by ;, or NULL: one unit of the last digit as
+ * written, for values that are all doubles in decimal, as "%.18e" prints them, half a unit in their last place. A table: time, verdict (ok, miss), condition, and for
  * each name NAME_reference (proved), NAME_error, NAME_correct_digits. */
 int libration_motion_verify(const libration_motion *motion, const char *names, const char *times, const char *values,
                             const char *rules, libration_watch watch, void *context, libration_table **compared);

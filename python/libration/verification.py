@@ -66,13 +66,13 @@ def _written(x: Any) -> str:
     return text_of(x, "value")
 
 
-def _rules(tolerance: Any, relative: Any, ulp: Any, modulo_2pi: bool) -> str:
+def _rules(tolerance: Any, relative: Any, ulp: Any, rounding: bool, modulo_2pi: bool) -> str:
     rules = [
         f"{name} = {text_of(value, name)}"
         for name, value in (("tolerance", tolerance), ("relative", relative), ("ulp", ulp))
         if value is not None
     ]
-    return "; ".join(rules + (["modulo = 2pi"] if modulo_2pi else []))
+    return "; ".join(rules + ["rounding = half"] * rounding + ["modulo = 2pi"] * modulo_2pi)
 
 
 def _names(columns: dict[str, list[Any]], offered: Iterable[str]) -> tuple[str, list[str]]:
@@ -93,6 +93,7 @@ def verify(
     tolerance: Any = None,
     relative: Any = None,
     ulp: Any = None,
+    rounding: bool = False,
     modulo_2pi: bool = False,
 ) -> Verdicts:
     """Compares a table with a motion (columns time, theta, perhaps omega) or a problem (time, some of its names), which
@@ -100,8 +101,9 @@ def verify(
 
     data is a DataFrame, the path of a CSV file, a Table or a mapping of columns. Values and times in double count as
     the exact numbers that they are; texts as they are written. Without a tolerance it is one unit of the last digit as
-    written, of a double its last bit; `ulp` counts units in the last place of a double of max(1, |truth|). Raises
-    ArgumentError for what is no number.
+    written (half of it with `rounding`, for printed tables), of a double its last bit, of a column of doubles in decimal
+    ("%.18e") half a unit in their last place; `ulp` counts units in the last place of a double of max(1, |truth|).
+    Raises ArgumentError for what is no number.
     """
     if (motion is None) == (problem is None):
         raise ValueError("give a motion or a problem")
@@ -114,6 +116,6 @@ def verify(
     time, names = _names(columns, ("theta", "omega") if problem is None else problem.names)
     times = ",".join(_written(each) for each in columns[time])
     values = ",".join(_written(columns[name][row]) for row in range(len(columns[time])) for name in names)
-    found = target.verify(",".join(names), times, values, _rules(tolerance, relative, ulp, modulo_2pi))
+    found = target.verify(",".join(names), times, values, _rules(tolerance, relative, ulp, rounding, modulo_2pi))
     made = Table._of(found)
     return Verdicts(made.names, made.cells)

@@ -82,3 +82,9 @@ def test_a_study_is_a_frame_with_all_its_digits(tmp_path):
 def test_a_problem_may_be_a_text():
     # x = tan t
     assert lb.verify({"time": ["1"], "x": ["1.5574077"]}, problem="x' = 1 + x^2; x(0) = 0", tolerance="1e-6").ok
+
+
+def test_printed_tables_are_rounded():
+    table = {"time": ["1"], "x": ["1.557407"]}
+    assert lb.verify(table, problem=tangent()).ok
+    assert not lb.verify(table, problem=tangent(), rounding=True).ok

@@ -275,17 +275,19 @@ TEST_CASE("the steps of a solution in double are its polynomials", "[c]") {
 // Blasius: f''(0) k = 0.332... of the literature; van der Pol's period; the end of the epidemic of Eyam [PROBLEMS].
 TEST_CASE("unknowns, orbits and limits are those of the command", "[c]") {
     const auto blasius = problem_of("blasius");
-    const auto shear =
-        made<table>([&](auto** to) { return libration_problem_find(blasius.get(), "k", "f'(inf) = 1", 32, to); });
+    const auto shear = made<table>(
+        [&](auto** to) { return libration_problem_find(blasius.get(), "k", "f'(inf) = 1", 32, nullptr, nullptr, to); });
     CHECK(std::string(libration_table_text(shear.get(), 0, 0)) == "k");
     CHECK(agrees(cell(shear, 0, 1), "0.33205733621519629893718006201058", 32));
     const auto spring = problem_of("y'' = -y; y(0) = 0; y'(0) = 1");
-    const auto speed =
-        made<table>([&](auto** to) { return libration_problem_find(spring.get(), "y'(0)", "y(pi/6) = 1", 20, to); });
+    const auto speed = made<table>([&](auto** to) {
+        return libration_problem_find(spring.get(), "y'(0)", "y(pi/6) = 1", 20, nullptr, nullptr, to);
+    });
     CHECK(cell(speed, 0, 1) == "2.0000000000000000000");
     CHECK(libration_number_rigour(libration_table_number(speed.get(), 0, 1)) == LIBRATION_PROVED);
     const auto cycle = problem_of("van_der_pol");
-    const auto orbit = made<table>([&](auto** to) { return libration_problem_orbit(cycle.get(), 15, to); });
+    const auto orbit =
+        made<table>([&](auto** to) { return libration_problem_orbit(cycle.get(), 15, nullptr, nullptr, to); });
     REQUIRE(libration_table_rows(orbit.get()) == 3);
     CHECK(agrees(cell(orbit, 2, 1), "6.6632868593231301897", 15));
     const auto epidemic = problem_of("sir");
@@ -293,8 +295,9 @@ TEST_CASE("unknowns, orbits and limits are those of the command", "[c]") {
     CHECK(cell(end, 0, 0) == "76.0563587703");
     libration_table* none = nullptr;
     CHECK(libration_problem_limits(spring.get(), 12, &none) == LIBRATION_UNDECIDED);
-    CHECK(libration_problem_find(spring.get(), "k", "y(1) = 1", 12, &none) == LIBRATION_ARGUMENT);
-    CHECK(libration_problem_find(spring.get(), "y'(0)", "y'(inf) = 1", 12, &none) == LIBRATION_UNDECIDED);
+    CHECK(libration_problem_find(spring.get(), "k", "y(1) = 1", 12, nullptr, nullptr, &none) == LIBRATION_ARGUMENT);
+    CHECK(libration_problem_find(spring.get(), "y'(0)", "y'(inf) = 1", 12, nullptr, nullptr, &none) ==
+          LIBRATION_UNDECIDED);
 }
 
 TEST_CASE("the radius of the tangent is pi/2", "[c]") {
@@ -390,6 +393,21 @@ TEST_CASE("a watch hears of a proof and ends it", "[c]") {
     CHECK(states == nullptr);
     CHECK(last > 0.2);
     CHECK(libration_error_message() == std::string("the call was cancelled"));
+}
+
+TEST_CASE("a watch ends the search for unknowns and orbits", "[c]") {
+    const auto cycle = problem_of("van_der_pol");
+    const auto watch = [](double part, void* context) {
+        ++*static_cast<int*>(context);
+        return part == 0 ? 1 : 0;
+    };
+    int calls = 0;
+    libration_table* found = nullptr;
+    CHECK(libration_problem_orbit(cycle.get(), 15, watch, &calls, &found) == LIBRATION_CANCELLED);
+    const auto spring = problem_of("y'' = -y; y(0) = 0; y'(0) = 1");
+    CHECK(libration_problem_find(spring.get(), "y'(0)", "y(1) = 1", 15, watch, &calls, &found) == LIBRATION_CANCELLED);
+    CHECK(found == nullptr);
+    CHECK(calls == 2);
 }
 
 }  // namespace c_interface_test

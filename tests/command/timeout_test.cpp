@@ -78,6 +78,21 @@ TEST_CASE("find ends at the timeout with the time of its integration", "[command
     CHECK(ended.out.empty());
 }
 
+TEST_CASE("singularities keeps what is found and proved at the timeout", "[command][timeout]") {
+    const auto ended = run_libration({"singularities", "--problem", "painleve_1", "--within", "12", "--prove",
+                                      "--digits", "40", "--format", "csv", "--timeout", "1500ms"});
+    check_ended(ended, "--");
+    CHECK_THAT(ended.err, Contains(" unproved: ") || Contains(" expansion points"));
+}
+
+TEST_CASE("a proof of a radius says at the timeout what is proved", "[command][timeout]") {
+    const auto ended =
+        run_libration({"radius", "--problem", "lorenz", "--prove", "--digits", "60", "--timeout", "1500ms"});
+    check_ended(ended, "");
+    CHECK_THAT(ended.err,
+               Contains("--timeout '1500ms' ended the command at radius, ") && Contains(" expansion points"));
+}
+
 TEST_CASE("a command that ends before the timeout is not changed", "[command][timeout]") {
     const words tangent{"reference", "--problem", "x' = 1 + x^2; x(0) = 0", "--time", "1"};
     CHECK(output_of(tangent + words{"--timeout", "1min"}) == output_of(tangent));

@@ -171,6 +171,9 @@ TEST_CASE("verify says which columns are missing", "[command][verify][bad input]
     refuses("time,theta,theta\n1,2,2\n", {}, "f.csv has two columns 'theta'");
     refuses("m,sn\n0,0\n", {}, "f.csv has no column 'u', the argument of sn: its columns are 'm', 'sn'");
     refuses("u,q,sn\n0,0.1,0\n", {}, "f.csv has no modulus: its columns are 'u', 'q', 'sn'");
+    refuses("u,sn\n0,0\n", {}, "f.csv has no modulus: its columns are 'u', 'sn'");
+    refuses("u,m,value\n0,0,0\n", {}, "f.csv has no column of an elliptic function: its columns are 'u', 'm', 'value'");
+    refuses("when,x\n0,0\n", {"--problem", "dx/ds = 1; x(0) = 0"}, "f.csv has no column 's' or 'time'");
     refuses("", {}, "f.csv has no header");
     refuses("time,theta,energy\n", {}, "f.csv has no row to compare");
     refuses("time,theta,energy\n", {"--format", "json"}, "f.csv has no row to compare");
@@ -181,6 +184,7 @@ TEST_CASE("verify refuses tolerances, inputs and formats that are none", "[comma
     const std::string csv = "time,theta,energy\n0,1,1\n";
     refuses(csv, {"--ulp", "1", "--tolerance", "1"}, "--ulp '1' comes together with --tolerance '1'");
     refuses(csv, {"--relative", "1e-9", "--ulp", "1"}, "--ulp '1' comes together with --relative '1e-9'");
+    refuses(csv, {"--rounding", "--ulp", "1"}, "--ulp '1' comes together with --rounding");
     refuses(csv, {"--tolerance", "x"}, "--tolerance 'x'");
     refuses(csv, {"--inputs", "float"}, "--inputs 'float'");
     refuses(csv, {"--format", "xml"}, "--format 'xml' is not a format");
@@ -255,6 +259,7 @@ TEST_CASE("verify takes nan for a miss and counts it as the worst", "[command][v
     CHECK(rows.at(0).at("verdict") == "miss");
     CHECK(rows.at(0).at("error") == "inf");
     CHECK(says(done, "worst row: line 2, theta: error inf"));
+    CHECK(says(done, "0.0 correct digits"));
 }
 
 TEST_CASE("verify refuses motions that contradict each other", "[command][verify]") {
@@ -531,6 +536,65 @@ TEST_CASE("verify writes the same bytes with any number of threads", "[command][
     const auto piped = run_libration({"verify", "-", "--out", "o.csv"}, folder.path(), folder.path() / "f.csv");
     CHECK(piped.out.empty());
     CHECK(text_of_file(folder.path() / "o.csv") == verify(csv).out);
+}
+
+// The doubles of tan 1/2 and tan 1, and one that is a unit away, as "%.18e" prints them (Python).
+TEST_CASE("verify takes decimals of doubles for these", "[command][verify]") {
+    const words tangent{"--problem", "x' = 1 + x^2; x(0) = 0"};
+    const std::string exactly_rounded = "t,x\n0.5,5.463024898437904842e-01\n1,1.557407724654902292e+00\n";
+    const auto done = verify(exactly_rounded, tangent);
+    CHECK(done.exit_code == 0);
+    CHECK(says(done, "doubles in decimal: 'x': without another tolerance, within half a unit in the last place"));
+    const auto [missed, rows] = verify_rows("t,x\n0.5,5.463024898437904842e-01\n1,1.557407724654902070e+00\n", tangent);
+    CHECK(missed.exit_code == 1);
+    CHECK(rows.at(0).at("verdict") == "ok");
+    CHECK(rows.at(1).at("verdict") == "miss");
+    CHECK_FALSE(says(verify(exactly_rounded, tangent + words{"--ulp", "1"}), "doubles in decimal"));
+    // 19 correct digits are not those of a double.
+    const auto right = verify("t,x\n0.5,5.463024898437905133e-01\n1,1.557407724654902231e+00\n", tangent);
+    CHECK(right.exit_code == 0);
+    CHECK_FALSE(says(right, "doubles in decimal"));
+}
+
+// tan 1 = 1.5574077...
+TEST_CASE("verify judges printed tables by half a unit", "[command][verify]") {
+    const words tangent{"--problem", "x' = 1 + x^2; x(0) = 0"};
+    const std::string table = "t,x\n1,1.557407\n";
+    CHECK(verdict_of(table, tangent) == "ok");
+    CHECK(verdict_of(table, tangent + words{"--rounding"}) == "miss");
+    CHECK(verdict_of("t,x\n1,1.557408\n", tangent + words{"--rounding"}) == "ok");
+}
+
+TEST_CASE("verify names the row with the fewest correct digits as the worst", "[command][verify]") {
+    // 2e-6 of 1e-3 leaves 2.69 digits; 5e-5 of 1000, five times its tolerance, 7.30.
+    const auto done = verify("t,x\n0.001,0.001002\n1000,1000.00005\n", {"--problem", "x' = 1; x(0) = 0"});
+    CHECK(says(done, "worst row: line 2, x: error 2.00e-6, 2.00 times the tolerance, 2.6 correct digits"));
+}
+
+TEST_CASE("verify recognises one mistake in all rows", "[command][verify]") {
+    const words circle{"--problem", "x' = -y; y' = x; x(0) = 1; y(0) = 0", "--tolerance", "1e-6"};
+    const auto mistake = [&](const std::string& rows) { return verify("t,x,y\n" + rows, circle); };
+    CHECK(says(mistake("1,0.84147098,0.54030231\n2,0.90929743,-0.41614684\n3,0.14112001,-0.98999250\n"),
+               "probable mistake: 'x' and 'y' are exchanged: in the other order with errors "));
+    // cos and sin at 1.01, 2.01, 3.01.
+    CHECK(says(mistake("1,0.53186072,0.84683184\n2,-0.42521885,0.90509056\n3,-0.99135417,0.13121319\n"),
+               "probable mistake: the times are off by a constant: the values are those of times 0.0100 later, "));
+    const std::string swing = "time,theta,energy\n0.7,125.0702622,1.71\n0,135.2349,1.71\nT,135.2349,1.71\n";
+    CHECK(says(verify(swing), "probable mistake: 'theta' in degrees instead of radians: in radians with errors "));
+    // Two rows are not enough, and one error is not in all rows.
+    CHECK_FALSE(says(mistake("1,0.84147098,0.54030231\n2,0.90929743,-0.41614684\n"), "mistake"));
+    CHECK_FALSE(says(mistake("1,0.54030231,0.84147098\n2,-0.41614684,0.90929743\n3,-0.99,0.1\n"), "mistake"));
+}
+
+// K(sin 30deg) is that of m = 1/4 [Abramowitz, table 17.2].
+TEST_CASE("verify reads the modular angle of Abramowitz and Stegun", "[command][verify]") {
+    for (const char* const file : {"alpha,K\n30deg,1.68575035481260\n", "alpha (deg),K\n30,1.68575035481260\n",
+                                   "Alpha,K\npi/6,1.68575035481260\n", "m,K\n1/4,1.68575035481260\n"}) {
+        CAPTURE(file);
+        CHECK(verdict_of(file) == "ok");
+    }
+    CHECK(verdict_of("alpha,K\n30,1.68575035481260\n") == "miss");
+    CHECK(output_of({"elliptic", "K", "--alpha", "30deg"}).find("1.6857503548125960") != std::string::npos);
 }
 
 }  // namespace command_verify_test

@@ -31,6 +31,10 @@ struct request {
     std::function<void(double part)> progress = {};
     /// Of an integration, before progress: the time reached, and the bits of the run.
     std::function<void(double time, long bits)> reached = {};
+    /// Of a search and a proof in the complex plane, for singularities and proved radii: "120 expansion points, 43
+    /// discs". If it throws an error of the kind undecided, singularities() returns what is finished, with this error as
+    /// the reason of what is missing; a proof of a radius ends with the bound that is proved.
+    std::function<void(const std::string& done)> stage = {};
     /// The integrator of states that are proved by integration. collocation is refused, as error of the subject
     /// "integrator", if it does not support the system or the precision, and for results without such steps: closed
     /// forms and results that are not proved. taylor is refused for closed forms.

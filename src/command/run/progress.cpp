@@ -70,9 +70,11 @@ void progress::step(std::size_t count) {
     }
 }
 
-void progress::reached(double time, long bits) {
+void progress::reached(double time, long bits) { stage(fmt::format("time {:.6g} with {} bits", time, bits)); }
+
+void progress::stage(const std::string& done) {
     const std::lock_guard lock(mutex_);
-    reached_ = fmt::format("time {:.6g} with {} bits", time, bits);
+    reached_ = done;
     const auto now = std::chrono::steady_clock::now();
     if (watched_ && now - last_shown_ > std::chrono::milliseconds(100)) {
         last_shown_ = now;

@@ -42,6 +42,8 @@ public:
     void step(std::size_t count = 1);
     /// Of an integration: the time reached and the bits of the run, for the line.
     void reached(double time, long bits);
+    /// Of other work: what is done, "120 expansion points", for the line.
+    void stage(const std::string& done);
 
 private:
     std::string status();

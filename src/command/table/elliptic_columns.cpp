@@ -18,7 +18,7 @@ using namespace elliptic;
 
 namespace {
 
-constexpr std::array<const char*, 4> modulus_columns{"k", "m", "m1", "q"};
+constexpr std::array<const char*, 6> modulus_columns{"k", "m", "m1", "alpha", "alpha_deg", "q"};
 constexpr std::array<const char*, 7> input_columns{"u", "u_re", "u_im", "phi", "x", "z", "n"};
 
 }  // namespace
@@ -29,9 +29,13 @@ std::vector<known_column> elliptic_columns::known() {
     for (const char* const name : input_columns) {
         columns.push_back({name});
     }
-    for (const char* const name : modulus_columns) {
+    for (const char* const name : {"k", "m", "m1", "q"}) {
         columns.push_back({name});
     }
+    columns.push_back({"alpha", {"alpha", "α", "modularangle"}});
+    columns.push_back({"alpha_deg",
+                       {"alphadeg", "alpha(deg)", "alpha[deg]", "alpha(degrees)", "alpha[degrees]", "α(deg)", "α[deg]",
+                        "alpha(°)", "alpha[°]", "α(°)", "α[°]", "modularangle(deg)", "modularangle[deg]"}});
     return columns;
 }
 
@@ -71,7 +75,7 @@ void elliptic_columns::find_modulus() {
     if (modulus_.empty()) {
         throw input_error(fmt::format("{} has no modulus: its columns are {}: {}, as {}", names_->file(),
                                       names_->listed(), mapping_remedy,
-                                      function_->of_nome ? "'q'" : "'k', 'm' or 'm1'"));
+                                      function_->of_nome ? "'q'" : "'k', 'm', 'm1' or 'alpha'"));
     }
 }
 
@@ -128,14 +132,23 @@ exact elliptic_columns::number_in(const std::vector<std::string>& cells, std::si
     });
 }
 
+// The number of alpha_deg is one of degrees.
+exact elliptic_columns::modulus_in(const std::vector<std::string>& cells, bool as_double) const {
+    exact typed = number_in(cells, modulus_at_, as_double);
+    const bool angle = modulus_ == "alpha" && typed.is_angle();
+    const bool degrees = modulus_ == "alpha_deg";
+    if (degrees ? !typed.is_fraction() : !typed.is_number() && !angle) {
+        throw error(error_kind::argument, names_->own(modulus_at_), typed.text,
+                    degrees ? "is not a number of degrees" : "has a unit");
+    }
+    typed.measure = degrees ? unit::degree : typed.measure;
+    return typed;
+}
+
 elliptic_point elliptic_columns::read(const std::vector<std::string>& cells, bool as_doubles) const {
-    const exact typed = number_in(cells, modulus_at_, as_doubles);
-    const auto parameter = reading_cell({typed.text, names_->own(modulus_at_)}, [&](const std::string& text) {
-        if (!typed.is_number()) {
-            throw error(error_kind::argument, modulus_, text, "has a unit");
-        }
-        return parameter_of(modulus_, typed);
-    });
+    const exact typed = modulus_in(cells, as_doubles);
+    const auto parameter = reading_cell({typed.text, names_->own(modulus_at_)},
+                                        [&](const std::string&) { return parameter_of(modulus_, typed); });
     elliptic_point at{std::nullopt, parameter, std::nullopt};
     if (argument_) {
         auto [real, imaginary] = argument_in(cells, as_doubles);

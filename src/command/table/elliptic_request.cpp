@@ -21,18 +21,26 @@ using namespace elliptic;
 
 namespace {
 
-constexpr const char* modulus_remedy = "write a number such as 0.8, 4/5, 1e-30 or, for --m and --m1, -3";
+constexpr const char* modulus_remedy =
+    "write a number such as 0.8, 4/5, 1e-30 or, for --m and --m1, -3, for --alpha 30deg";
 constexpr const char* argument_remedy = "write a number such as 1.5, 3/2 or pi/4, or several with commas between them";
 constexpr std::array<const char*, 4> argument_options{"--u", "--phi", "--x", "--z"};
-constexpr std::array<const char*, 4> modulus_options{"--k", "--m", "--m1", "--q"};
+constexpr std::array<const char*, 5> modulus_options{"--k", "--m", "--m1", "--alpha", "--q"};
+constexpr const char* alpha_option = "--alpha";
+
+bool may_be(const std::string& option, const exact& modulus) {
+    return modulus.is_number() || (option == alpha_option && modulus.is_angle());
+}
 
 std::vector<exact> read_moduli(const std::string& option, const std::string& typed, elliptic_grid grid) {
-    if (grid == elliptic_grid::one) {
+    if (grid == elliptic_grid::one && option != alpha_option) {
         return {number_of(option, typed)};
     }
-    auto moduli = reading(option, typed, modulus_remedy, [&] { return read_grid(typed); });
+    auto moduli = reading(option, typed, modulus_remedy, [&] {
+        return grid == elliptic_grid::one ? std::vector{read_exact(typed)} : read_grid(typed);
+    });
     for (const exact& modulus : moduli) {
-        if (!modulus.is_number()) {
+        if (!may_be(option, modulus)) {
             throw input_error(option, typed, "has '" + modulus.text + "', which has a unit", modulus_remedy);
         }
     }
@@ -59,7 +67,7 @@ std::vector<typed_parameter> read_parameters(elliptic_request& request, const op
         }
         if (!chosen.empty()) {
             throw input_error(option, *typed, "comes together with " + chosen + " '" + *said[chosen] + "'",
-                              "give one of --k, --m and --m1");
+                              "give one of --k, --m, --m1 and --alpha");
         }
         chosen = option;
         request.modulus = option.substr(2);
@@ -70,7 +78,8 @@ std::vector<typed_parameter> read_parameters(elliptic_request& request, const op
     }
     if (chosen.empty()) {
         throw input_error(function.of_nome ? "no nome is given: add --q Q"
-                                           : "no modulus is given: add --k K, --m M (m = k^2) or --m1 M1 (m1 = 1 - m)");
+                                           : "no modulus is given: add --k K, --m M (m = k^2), --m1 M1 (m1 = 1 - m) or "
+                                             "--alpha A (k = sin A)");
     }
     return parameters;
 }
@@ -168,7 +177,7 @@ void read_grid_points(elliptic_request& request, const option_words& said, ellip
 // Each row of the file is a point.
 void read_points(elliptic_request& request, const option_words& said) {
     const std::string& path = *said["--points"];
-    for (const std::string option : {"--u", "--phi", "--x", "--z", "--n", "--k", "--m", "--m1", "--q"}) {
+    for (const std::string option : {"--u", "--phi", "--x", "--z", "--n", "--k", "--m", "--m1", "--alpha", "--q"}) {
         if (said[option]) {
             throw input_error(option, *said[option], "comes together with --points '" + path + "'",
                               "give it as a column of the file");
@@ -217,7 +226,9 @@ typed_parameter parameter_of(const std::string& quantity, const exact& typed) {
     typed_parameter parameter{typed, quantity == "k"                      ? &real_parameter::from_modulus
                                      : quantity == "m" || quantity == "q" ? &real_parameter::from_parameter
                                      : quantity == "m1"                   ? &real_parameter::from_complement
-                                                        : throw std::logic_error("no modulus: " + quantity)};
+                                     : quantity.starts_with("alpha")
+                                         ? &real_parameter::from_modular_angle
+                                         : throw std::logic_error("no modulus: " + quantity)};
     static_cast<void>(parameter.value());
     return parameter;
 }
@@ -241,6 +252,7 @@ void offer_elliptic(option_words& said, CLI::App& command) {
          {"--k", "K", "the modulus k"},
          {"--m", "M", "the parameter m = k^2, any real number"},
          {"--m1", "M1", "the complementary parameter m1 = 1 - m: 1e-30 keeps its digits"},
+         {"--alpha", "A", "the modular angle, m = sin^2 alpha: 0.5, pi/6, 30deg"},
          {"--q", "Q", "the nome of theta1 .. theta4"}});
 }
 

@@ -14,7 +14,7 @@ namespace libration {
 /// Every function at every point.
 struct elliptic_request {
     std::vector<const elliptic::named_function*> functions;
-    std::string modulus;                 ///< k, m, m1 or q
+    std::string modulus;                 ///< k, m, m1, alpha, alpha_deg or q
     std::string argument;                ///< u, phi, x or z; empty where the functions have none
     std::vector<elliptic_point> points;  ///< of a grid, the parameters first
     bool from_file = false;              ///< the points are rows of --points
@@ -39,7 +39,7 @@ auto answer_at(const elliptic_request& request, const elliptic_point& at, const 
     }
 }
 
-/// --u, --phi, --x, --z, --n, --k, --m, --m1, --q.
+/// --u, --phi, --x, --z, --n, --k, --m, --m1, --alpha, --q.
 void offer_elliptic(option_words& said, CLI::App& command);
 
 /// The names of all functions: "am, sn, ...".
@@ -53,7 +53,7 @@ enum class elliptic_grid { one, lists };
 elliptic_request read_elliptic(const std::vector<const elliptic::named_function*>& functions, const option_words& said,
                                elliptic_grid grid);
 
-/// The parameter of --k, --m, --m1 or --q, without the dashes, from a number; throws error where there is none.
+/// The parameter of --k, --m, --m1, --alpha or --q, without the dashes, from a number; throws error where there is none.
 typed_parameter parameter_of(const std::string& quantity, const exact& typed);
 
 /// A number that an argument of this name may be: an angle for phi. Throws error.

@@ -10,7 +10,7 @@
 
 namespace libration {
 
-/// A modulus k, parameter m, complementary parameter m1 or nome q as typed.
+/// A modulus k, parameter m, complementary parameter m1, modular angle or nome q as typed.
 struct typed_parameter {
     exact typed;
     elliptic::real_parameter (*from)(const exact&);

@@ -17,7 +17,8 @@ namespace {
 constexpr const char* motions = "pendulum";
 constexpr std::array<const char*, 7> motion_names{"--energies",  "--gaps",   "--theta0", "--omega0",
                                                   "--direction", "--length", "--gravity"};
-constexpr std::array<const char*, 9> argument_names{"--u", "--phi", "--x", "--z", "--n", "--k", "--m", "--m1", "--q"};
+constexpr std::array<const char*, 10> argument_names{"--u", "--phi", "--x",  "--z",     "--n",
+                                                     "--k", "--m",   "--m1", "--alpha", "--q"};
 
 class motion_subject : public table_subject {
 public:

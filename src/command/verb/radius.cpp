@@ -14,6 +14,8 @@
 #include "option/subcommand.hpp"
 #include "plot/coefficient_plot.hpp"
 #include "plot/plot_options.hpp"
+#include "run/ending_signal.hpp"
+#include "run/progress.hpp"
 #include "text/input_error.hpp"
 #include "text/quotation.hpp"
 
@@ -131,9 +133,13 @@ int prove_radius(const radius_options& options) {
     }
     const long digits = options.arithmetic.choose().digits;
     const chosen_solution chosen = options.of.choose(options.arithmetic);
-    const answer found = naming_option("--problem", [&] {
-        return chosen.of->radius(series_request{}, {.scalar = {scalar_kind::proved, digits}, .check = options.check});
-    });
+    progress shown("radius", 1);
+    const request how{
+        .scalar = {scalar_kind::proved, digits}, .check = options.check, .stage = [&](const std::string& done) {
+            shown.stage(done);
+            check_time();
+        }};
+    const answer found = naming_option("--problem", [&] { return chosen.of->radius(series_request{}, how); });
     table data({{"lower", ""}, {"upper", ""}, {"digits", ""}, {"rigour", ""}});
     data.add_row({number_cell(found.at(0, "lower")), number_cell(found.at(0, "upper")), digits, found.rigour});
     std::string text;
@@ -142,6 +148,9 @@ int prove_radius(const radius_options& options) {
                             found.rigour, each.text);
     }
     options.output.write(data, text);
+    if (found.missing) {
+        throw error(*found.missing);
+    }
     return 0;
 }
 

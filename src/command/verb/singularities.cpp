@@ -12,6 +12,7 @@
 #include "option/subcommand.hpp"
 #include "plot/plot_options.hpp"
 #include "plot/singularity_plot.hpp"
+#include "run/ending_signal.hpp"
 #include "run/progress.hpp"
 #include "text/input_error.hpp"
 
@@ -96,9 +97,14 @@ answer singularities_of(const singularities_options& options, const solution& of
     progress_of_part to(shown);
     try {
         return naming_option("--problem", [&] {
-            return of.singularities(
-                options.radius(),
-                {.scalar = scalar, .check = options.check, .progress = [&](double part) { to(part); }});
+            return of.singularities(options.radius(), {.scalar = scalar,
+                                                       .check = options.check,
+                                                       .progress = [&](double part) { to(part); },
+                                                       .stage =
+                                                           [&](const std::string& done) {
+                                                               shown.stage(done);
+                                                               check_time();
+                                                           }});
         });
     } catch (const error& problem) {
         if (problem.kind() != error_kind::undecided || problem.subject() != "solution") {
@@ -127,7 +133,8 @@ int run_singularities(const singularities_options& options) {
     }
     table_output(options.output, figure).write(data, text_of(data, found));
     if (found.missing) {
-        throw error(found.missing->kind(), "--prove", "", found.missing->reason());
+        const std::string subject = found.missing->subject() == "proof" ? "--prove" : found.missing->subject();
+        throw error(found.missing->kind(), subject, found.missing->value(), found.missing->reason());
     }
     return 0;
 }

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdio>
 #include <memory>
@@ -15,6 +16,7 @@
 #include "sweep/study_order.hpp"
 #include "text/column_file.hpp"
 #include "text/input_error.hpp"
+#include "verify/double_columns.hpp"
 #include "verify/row_target.hpp"
 #include "verify/verify_layout.hpp"
 #include "verify/verify_summary.hpp"
@@ -28,7 +30,7 @@ struct verify_options {
     problem_options problem;
     std::string file;
     std::optional<std::string> tolerance, relative, ulps, columns;
-    bool modulo_turn = false;
+    bool modulo_turn = false, rounding = false;
     std::string inputs = "decimal";
     std::string format = "csv";
     std::optional<std::string> out;
@@ -71,15 +73,41 @@ struct comparison_run {
     int jobs;
 };
 
+// The compared columns that hold doubles, by the first rows: the same ones whatever the number of threads.
+std::vector<bool> columns_of_doubles(const std::vector<row_batch>& batches, const comparison_run& run) {
+    const auto& compared = run.subject.compared();
+    if (!run.rules.by_last_digit() || run.rules.rounded) {
+        return std::vector<bool>(compared.size());
+    }
+    row_batch first;
+    for (std::size_t i = 0; i < std::min(batches.size(), batches_per_job); ++i) {
+        first.insert(first.end(), batches[i].begin(), batches[i].end());
+    }
+    return double_columns(first, run.writer.between(), compared);
+}
+
+std::vector<std::string> own_names(const comparison_run& run, const std::vector<bool>& chosen) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        if (chosen[i]) {
+            names.push_back(run.names.own(run.subject.compared()[i].at));
+        }
+    }
+    return names;
+}
+
 // Batches are compared in parallel and written in their order; a set of batches at a time is in memory.
 void compare_all(column_file& records, const comparison_run& run, row_target& target, verify_summary& summary) {
     const std::size_t most = batches_per_job * static_cast<std::size_t>(run.jobs);
     std::atomic<long> finished = 0;
     const status_source status([&] { return fmt::format("row {}", finished.load()); });
-    for (auto batches = read_batches(records, most); !batches.empty(); batches = read_batches(records, most)) {
+    auto batches = read_batches(records, most);
+    const auto of_doubles = columns_of_doubles(batches, run);
+    summary.name_doubles(own_names(run, of_doubles));
+    for (; !batches.empty(); batches = read_batches(records, most)) {
         std::vector<std::vector<compared_row>> compared(batches.size());
         on_threads(batches.size(), run.jobs, [&](std::size_t i) {
-            row_comparer compare(run.subject.reader(), run.rules, run.names, run.writer);
+            row_comparer compare(run.subject.reader(), run.rules, run.names, run.writer, of_doubles);
             compared[i].reserve(batches[i].size());
             for (const csv_record& record : batches[i]) {
                 compared[i].push_back(compare(record));
@@ -118,6 +146,13 @@ compare_rules rules_of(const verify_options& options) {
                               "give one of the two");
         }
     }
+    for (const auto& [name, value] :
+         {std::pair{"--tolerance", &options.tolerance}, {"--relative", &options.relative}, {"--ulp", &options.ulps}}) {
+        if (options.rounding && *value) {
+            throw input_error(name, **value, "comes together with --rounding, which is another tolerance",
+                              "give one of the two");
+        }
+    }
     if (options.inputs != "decimal" && options.inputs != "double") {
         throw input_error("--inputs", options.inputs, "is neither decimal nor double",
                           "write decimal for numbers as typed, double for their nearest doubles");
@@ -125,8 +160,12 @@ compare_rules rules_of(const verify_options& options) {
     if (options.format != "csv" && options.format != "json") {
         throw input_error("--format", options.format, "is not a format", "write csv or json");
     }
-    return {tolerance_of("--tolerance", options.tolerance), tolerance_of("--relative", options.relative),
-            tolerance_of("--ulp", options.ulps), options.inputs == "double", options.modulo_turn};
+    return {tolerance_of("--tolerance", options.tolerance),
+            tolerance_of("--relative", options.relative),
+            tolerance_of("--ulp", options.ulps),
+            options.rounding,
+            options.inputs == "double",
+            options.modulo_turn};
 }
 
 int run_verify(const verify_options& options) {
@@ -144,8 +183,9 @@ int run_verify(const verify_options& options) {
     }
     row_target target(options.out);
     target.write(writer.head());
-    verify_summary summary(source.name());
-    compare_all(records, {names, rules, writer, *subject, jobs}, target, summary);
+    const comparison_run run{names, rules, writer, *subject, jobs};
+    verify_summary summary(source.name(), own_names(run, std::vector<bool>(subject->compared().size(), true)));
+    compare_all(records, run, target, summary);
     target.write(writer.tail());
     target.finish();
     summary.print();
@@ -172,13 +212,17 @@ subcommand verify_command(CLI::App& program) {
                      "the names of your columns: t=time,E=energy, - for none of these; without a header all in order")
         ->type_name("THEIRS=OURS,...");
     command
-        ->add_option("--tolerance", options->tolerance, "largest |error|; one unit of the row's last digit without it")
+        ->add_option("--tolerance", options->tolerance,
+                     "largest |error|; without it one unit of the last digit as written, for a column of doubles in "
+                     "decimal half a unit in their last place")
         ->type_name("X");
     command->add_option("--relative", options->relative, "largest |error/value|; with --tolerance one of the two does")
         ->type_name("X");
     command
         ->add_option("--ulp", options->ulps, "the tolerance in units in the last place of a double of max(1,|value|)")
         ->type_name("N");
+    command->add_flag("--rounding", options->rounding,
+                      "half a unit of the last digit as written: for printed tables, whose values are rounded");
     command->add_flag("--modulo-2pi", options->modulo_turn, "theta counts modulo 2 pi");
     command
         ->add_option("--inputs", options->inputs, "decimal: times and motions as typed; double: their nearest doubles")

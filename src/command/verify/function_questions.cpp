@@ -67,7 +67,7 @@ bool function_layout::fits(const column_names& names) {
         const value_names own{each.name};
         return names.find(own.whole) || (takes_complex(each) && (names.find(own.real) || names.find(own.imaginary)));
     };
-    return elliptic_columns::has_modulus(names) && std::any_of(named_functions().begin(), named_functions().end(), has);
+    return elliptic_columns::has_modulus(names) || std::any_of(named_functions().begin(), named_functions().end(), has);
 }
 
 function_layout::function_layout(const column_names& names) {
@@ -90,6 +90,11 @@ function_layout::function_layout(const column_names& names) {
                 compared_.push_back({name, *at});
             }
         }
+    }
+    if (compared_.empty()) {
+        throw input_error(
+            fmt::format("{} has no column of an elliptic function: its columns are {}: {}, as 'sn' or 'K'",
+                        names.file(), names.listed(), mapping_remedy));
     }
 }
 

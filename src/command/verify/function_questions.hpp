@@ -20,15 +20,15 @@ struct function_question {
     std::vector<true_value> truths() const;
 };
 
-/// Where the columns of a file of elliptic functions are: k, m or m1; u, phi, x and n where functions need them; and a
-/// column for each function under its name, or NAME_re and NAME_im for the parts of a complex value.
+/// Where the columns of a file of elliptic functions are: k, m, m1 or alpha; u, phi, x and n where functions need them;
+/// and a column for each function under its name, or NAME_re and NAME_im for the parts of a complex value.
 class function_layout {
 public:
     /// The quantities, for column_names.
     static std::vector<known_column> known();
-    /// Whether the names are those of elliptic functions: a modulus, and one of them.
+    /// Whether the names are those of elliptic functions: a modulus, or one of the functions.
     static bool fits(const column_names& names);
-    /// Throws input_error for a column that is missing, and for two moduli.
+    /// Throws input_error for a column that is missing, a modulus or a function included, and for two moduli.
     explicit function_layout(const column_names& names);
 
     const std::vector<compared_column>& compared() const { return compared_; }

@@ -8,6 +8,7 @@
 #include "motion/motion_cells.hpp"
 #include "text/csv_records.hpp"
 #include "text/input_error.hpp"
+#include "text/quotation.hpp"
 
 namespace libration {
 
@@ -29,8 +30,10 @@ std::vector<known_column> problem_layout::known() const {
 void problem_layout::read(const column_names& names) {
     time_ = names.find("time");
     if (!time_) {
-        throw input_error(
-            fmt::format("{} has no column time: its columns are {}: {}", names.file(), names.listed(), mapping_remedy));
+        const std::string variable = system_.variable();
+        throw input_error(fmt::format("{} has no column {}: its columns are {}: {}", names.file(),
+                                      variable == "t" ? "'time' or 't'" : quotation(variable) + " or 'time'",
+                                      names.listed(), mapping_remedy));
     }
     own_time_ = names.own(*time_);
     for (std::size_t i = 0; i < names_.size(); ++i) {

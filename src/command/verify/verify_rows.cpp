@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "libration/scalar/error.hpp"
@@ -19,6 +20,14 @@ std::vector<std::string> added_columns(const std::vector<compared_column>& compa
         }
     }
     return names;
+}
+
+bool is_worse(const std::optional<long>& tenths, const mpfr& of_tolerance, const std::optional<long>& other_tenths,
+              const mpfr& other_of_tolerance) {
+    constexpr long all = std::numeric_limits<long>::max();
+    const long here = tenths.value_or(all);
+    const long other = other_tenths.value_or(all);
+    return here < other || (here == other && of_tolerance > other_of_tolerance);
 }
 
 compared_row row_comparer::operator()(const csv_record& record) {
@@ -61,7 +70,7 @@ compared_values row_comparer::compared(const std::vector<std::string>& cells) {
     std::vector<written_value> values;
     values.reserve(columns.size());
     for (std::size_t i = 0; i < columns.size(); ++i) {
-        values.push_back({trimmed(cells[columns[i].at]), own_name(i)});
+        values.push_back({trimmed(cells[columns[i].at]), own_name(i), of_doubles_[i]});
     }
     require_numbers(values, rules_);
     return compare_row(values, reader_->read(cells), rules_);
@@ -81,7 +90,10 @@ compared_row row_comparer::row_of(const csv_record& record, const std::vector<st
         if (i == 0) {
             added.insert(added.end(), {"", here.condition});
         }
-        worst = value.of_tolerance > here.values[worst].of_tolerance ? i : worst;
+        const comparison& before = here.values[worst];
+        worst = is_worse(value.tenths_of_digits, value.of_tolerance, before.tenths_of_digits, before.of_tolerance)
+                    ? i
+                    : worst;
         if (!value.within && row.verdict == row_verdict::ok) {
             row.verdict = row_verdict::miss;
             row.reason = own_name(i) + " misses by " + value.error;
@@ -92,8 +104,10 @@ compared_row row_comparer::row_of(const csv_record& record, const std::vector<st
     row.column = own_name(worst);
     row.error = here.values[worst].error;
     row.tenths_of_digits = here.values.front().tenths_of_digits;
+    row.least_tenths = here.values[worst].tenths_of_digits;
     row.condition = here.condition;
     row.of_tolerance = here.values[worst].of_tolerance;
+    row.numbers = here.numbers;
     return row;
 }
 

@@ -25,18 +25,25 @@ struct compared_row {
     std::string reason;  ///< of what is malformed or undecided, or which value misses
     std::string column;  ///< of the value that is worst
     std::string error;
-    std::optional<long> tenths_of_digits;  ///< nothing for an error of 0
+    std::optional<long> tenths_of_digits;  ///< correct digits of the first value; nothing for an error of 0
+    std::optional<long> least_tenths;      ///< of the value that is worst, which has the fewest
     std::string condition;
     bool proved = true;           ///< what the row is compared with
-    mpfr of_tolerance = mpfr(0);  ///< error/tolerance of that value
+    mpfr of_tolerance = mpfr(0);  ///< error/tolerance of the value that is worst
+    std::optional<row_numbers> numbers;
 };
+
+/// Whether a value is worse than another one: fewer correct digits or, with as many, a larger part of its tolerance.
+bool is_worse(const std::optional<long>& tenths, const mpfr& of_tolerance, const std::optional<long>& other_tenths,
+              const mpfr& other_of_tolerance);
 
 /// Compares rows one after the other. One object for each thread.
 class row_comparer {
 public:
+    /// `of_doubles`: whether each compared column holds doubles (double_columns).
     row_comparer(std::unique_ptr<question_reader> reader, const compare_rules& rules, const column_names& names,
-                 const row_writer& writer)
-        : reader_(std::move(reader)), rules_(rules), names_(names), writer_(writer) {}
+                 const row_writer& writer, const std::vector<bool>& of_doubles)
+        : reader_(std::move(reader)), rules_(rules), names_(names), writer_(writer), of_doubles_(of_doubles) {}
     compared_row operator()(const csv_record& record);
 
 private:
@@ -51,6 +58,7 @@ private:
     const compare_rules& rules_;
     const column_names& names_;
     const row_writer& writer_;
+    const std::vector<bool>& of_doubles_;
 };
 
 /// The columns that verify adds, in their order: those of the first value, the verdict and the condition, and those of

@@ -38,8 +38,11 @@ void verify_summary::add(const compared_row& row) {
     if (row.verdict == row_verdict::miss) {
         name(row, ++misses_, misses_named_);
     }
-    if (!worst_ || row.of_tolerance > worst_->of_tolerance) {
+    if (!worst_ || is_worse(row.least_tenths, row.of_tolerance, worst_->least_tenths, worst_->of_tolerance)) {
         worst_ = row;
+    }
+    if (row.numbers) {
+        mistake_.add(*row.numbers, row.verdict == row_verdict::ok);
     }
 }
 
@@ -50,6 +53,12 @@ void verify_summary::print() const {
     fmt::print(stderr, "{}: {} rows, {} ok, {} miss, {} malformed{}\n", without_controls(file_, longest_quotation),
                rows_, rows_ - misses_ - malformed_ - undecided_, misses_, malformed_,
                undecided_ > 0 ? fmt::format(", {} undecided", undecided_) : "");
+    if (!of_doubles_.empty()) {
+        fmt::print(stderr,
+                   "doubles in decimal: {}: without another tolerance, within half a unit in the last place of a "
+                   "double\n",
+                   without_controls(listed(of_doubles_), longest_reason));
+    }
     if (unproved_ > 0) {
         fmt::print(stderr,
                    "{} rows are compared with values on which two computations agree, and which are not proved\n",
@@ -57,9 +66,13 @@ void verify_summary::print() const {
     }
     if (worst_) {
         const precision_scope scope(20);
-        fmt::print(stderr, "worst row: line {}, {}: error {}, {} times the tolerance, condition {}\n", worst_->line,
-                   without_controls(worst_->column, longest_quotation), worst_->error,
-                   to_decimal(worst_->of_tolerance, 3), worst_->condition);
+        fmt::print(stderr,
+                   "worst row: line {}, {}: error {}, {} times the tolerance, {} correct digits, condition {}\n",
+                   worst_->line, without_controls(worst_->column, longest_quotation), worst_->error,
+                   to_decimal(worst_->of_tolerance, 3), correct_digits_text(worst_->least_tenths), worst_->condition);
+    }
+    if (const std::string mistake = mistake_.found(); !mistake.empty()) {
+        fmt::print(stderr, "probable mistake: {}\n", without_controls(mistake, longest_reason));
     }
     for (const auto& [digits, count] : digits_) {
         fmt::print(stderr, "{:>6} correct digits: {:>9}\n", digits == exact_digits ? "all" : std::to_string(digits),

@@ -1,11 +1,14 @@
-// The summary that `libration verify` prints for a file: counts, the worst row and the correct digits of all rows.
+// The summary that `libration verify` prints for a file: counts, the worst row, a mistake that all rows have in common,
+// and the correct digits of all rows.
 #pragma once
 
 #include <map>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "libration/verify/proved/common_mistake.hpp"
 #include "verify/verify_rows.hpp"
 
 namespace libration {
@@ -13,7 +16,12 @@ namespace libration {
 /// Takes the rows in their order and names the first that miss, are malformed or undecided on stderr as they come.
 class verify_summary {
 public:
-    explicit verify_summary(std::string file) : file_(std::move(file)) {}
+    /// `columns` are the names of the compared columns, as the file has them.
+    verify_summary(std::string file, const std::vector<std::string>& columns)
+        : file_(std::move(file)), mistake_(columns) {}
+
+    /// These columns hold doubles, which determines their tolerance.
+    void name_doubles(std::vector<std::string> columns) { of_doubles_ = std::move(columns); }
 
     void add(const compared_row& row);
     /// To stderr.
@@ -36,6 +44,8 @@ private:
     long malformed_named_ = 0;
     long undecided_named_ = 0;
     std::optional<compared_row> worst_;
+    std::vector<std::string> of_doubles_;
+    common_mistake mistake_;
     std::map<long, long> digits_;  ///< how many rows have so many correct digits
 };
 

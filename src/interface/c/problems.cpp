@@ -143,6 +143,13 @@ request digits_by(long digits, int rigour) {
     return {.scalar = {asks_proof(rigour) ? scalar_kind::proved : scalar_kind::arbitrary, given_digits(digits)}};
 }
 
+// Proved digits by integrations whose number is not known: the part that is done is always 0.
+request watched_digits(long digits, const watcher& watch) {
+    request how = proved_digits(given_digits(digits));
+    how.reached = [watch](double /*time*/, long /*bits*/) { watch(0.0); };
+    return how;
+}
+
 // "f'(5) = 1; y(1) = 2".
 std::vector<std::string> conditions_of(const std::string& text) {
     std::vector<std::string> conditions;
@@ -277,18 +284,19 @@ int libration_problem_events(const libration_problem* problem, const char* condi
 }
 
 int libration_problem_find(const libration_problem* problem, const char* unknowns, const char* conditions, long digits,
-                           libration_table** values) {
+                           libration_watch watch, void* context, libration_table** values) {
     return made(values, [&] {
-        return table_of_values(
-            find_unknowns(problem_of(given(problem, "problem")), items_of(text_of(unknowns, "unknowns"), "unknowns"),
-                          conditions_of(text_of(conditions, "conditions")), proved_digits(given_digits(digits))));
+        return table_of_values(find_unknowns(
+            problem_of(given(problem, "problem")), items_of(text_of(unknowns, "unknowns"), "unknowns"),
+            conditions_of(text_of(conditions, "conditions")), watched_digits(digits, watcher(watch, context))));
     });
 }
 
-int libration_problem_orbit(const libration_problem* problem, long digits, libration_table** orbit) {
+int libration_problem_orbit(const libration_problem* problem, long digits, libration_watch watch, void* context,
+                            libration_table** orbit) {
     return made(orbit, [&] {
-        return table_of_values(
-            find_periodic_orbit(problem_of(given(problem, "problem")), proved_digits(given_digits(digits))));
+        return table_of_values(find_periodic_orbit(problem_of(given(problem, "problem")),
+                                                   watched_digits(digits, watcher(watch, context))));
     });
 }
 

@@ -7,6 +7,7 @@
 #include "libration/pendulum/given_question.hpp"
 #include "libration/scalar/text/given_number.hpp"
 #include "libration/scalar/text/written_number.hpp"
+#include "libration/verify/proved/double_decimals.hpp"
 #include "libration/verify/proved/motion_truths.hpp"
 #include "libration/verify/proved/problem_truths.hpp"
 
@@ -66,16 +67,25 @@ compare_rules rules_of(const char* text) {
                 throw error(error_kind::argument, name, value, "is not 2pi");
             }
             rules.modulo_turn = true;
+        } else if (name == "rounding") {
+            if (value != "half") {
+                throw error(error_kind::argument, name, value, "is not half");
+            }
+            rules.rounded = true;
         } else if (name == "tolerance" || name == "relative" || name == "ulp") {
             (name == "tolerance"  ? rules.tolerance
              : name == "relative" ? rules.relative
                                   : rules.ulps) = tolerance_of(name, value);
         } else {
-            throw error(error_kind::argument, "rules", name, "is not one of tolerance, relative, ulp and modulo");
+            throw error(error_kind::argument, "rules", name,
+                        "is not one of tolerance, relative, ulp, rounding and modulo");
         }
     }
     if (rules.ulps && (rules.tolerance || rules.relative)) {
         throw error(error_kind::argument, "ulp", "", "is given together with another tolerance");
+    }
+    if (rules.rounded && !rules.by_last_digit()) {
+        throw error(error_kind::argument, "rounding", "half", "is given together with another tolerance");
     }
     return rules;
 }
@@ -103,14 +113,32 @@ void add_row(libration_table& table, const std::string& time, const compared_val
     }
 }
 
+// For each name, whether its values are doubles in decimal.
+std::vector<bool> names_of_doubles(const asked_values& asked, const compare_rules& rules) {
+    std::vector<bool> found(asked.names.size());
+    for (std::size_t i = 0; i < found.size() && rules.by_last_digit() && !rules.rounded; ++i) {
+        double_decimals column;
+        try {
+            for (std::size_t at = i; at < asked.values.size(); at += found.size()) {
+                column.add(asked.values[at]);
+            }
+            found[i] = column.recognised();
+        } catch (const error&) {  // not a number, about which the comparison complains
+            continue;
+        }
+    }
+    return found;
+}
+
 libration_table compared(const asked_values& asked, const compare_rules& rules, const watcher& watch,
                          const std::function<row_question(const exact& time)>& ask) {
     libration_table table = table_for(asked.names);
+    const auto of_doubles = names_of_doubles(asked, rules);
     for (std::size_t row = 0; row < asked.times.size(); ++row) {
         watch(row, asked.times.size());
         std::vector<written_value> values;
         for (std::size_t i = 0; i < asked.names.size(); ++i) {
-            values.push_back({asked.values[row * asked.names.size() + i], asked.names[i]});
+            values.push_back({asked.values[row * asked.names.size() + i], asked.names[i], of_doubles[i]});
         }
         const std::string& text = asked.times[row];
         const exact time = is_hexadecimal(text) ? read_typed(text) : given_time("time", text);

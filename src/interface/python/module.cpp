@@ -194,14 +194,16 @@ void define_problems(py::module_& m) {
         return known_table(
             [&](auto** to) { return libration_problem_events(of.handle.get(), condition.c_str(), count, digits, to); });
     });
-    problem.def(
-        "find", [](const problem_object& of, const std::string& unknowns, const std::string& conditions, long digits) {
-            return table([&](auto** to) {
-                return libration_problem_find(of.handle.get(), unknowns.c_str(), conditions.c_str(), digits, to);
-            });
-        });
+    problem.def("find",
+                [](const problem_object& of, const std::string& unknowns, const std::string& conditions, long digits) {
+                    return table([&](auto** to) {
+                        return libration_problem_find(of.handle.get(), unknowns.c_str(), conditions.c_str(), digits,
+                                                      watch_signals, nullptr, to);
+                    });
+                });
     problem.def("orbit", [](const problem_object& of, long digits) {
-        return table([&](auto** to) { return libration_problem_orbit(of.handle.get(), digits, to); });
+        return table(
+            [&](auto** to) { return libration_problem_orbit(of.handle.get(), digits, watch_signals, nullptr, to); });
     });
     problem.def("verify", [](const problem_object& of, const std::string& names, const std::string& times,
                              const std::string& values, const std::string& rules) {

@@ -298,4 +298,24 @@ TEST_CASE("bounds that no covering reaches are told", "[ode][proved][singularity
     CHECK(mpfr(7) / 3 <= mpfr(fine.upper));
 }
 
+// The watch hears of points and discs; one that ends the covering leaves the upper bound.
+TEST_CASE("a proof of a radius that is ended keeps its upper bound", "[ode][proved][singularity]") {
+    long points = 0;
+    long discs = 0;
+    proof_route route;
+    route.watch = [&](plane_step step) { ++(step == plane_step::point ? points : discs); };
+    const auto tangent = typed("x' = 1 + x^2; x(0) = 0");
+    const proved_radius whole = prove_radius(tangent, 8, route);
+    CHECK(points > 0);
+    CHECK(discs > static_cast<long>(whole.cover.discs.size()));
+    long left = discs - 3;
+    route.watch = [&](plane_step step) {
+        if (step == plane_step::disc && --left == 0) {
+            throw error(error_kind::undecided, "the time", "", "is up");
+        }
+    };
+    CHECK_THROWS_WITH(prove_radius(tangent, 8, route),
+                      Catch::Contains("a radius of at most 1.5707963") && Catch::Contains("is not: the time is up"));
+}
+
 }  // namespace ode_proved_radius_bounds_test

@@ -20,6 +20,8 @@ public:
     static real_parameter from_modulus(const exact& k);
     static real_parameter from_parameter(const exact& m) { return {m, exactly(1) - m, false}; }
     static real_parameter from_complement(const exact& m1) { return {exactly(1) - m1, m1, true}; }
+    /// m = sin^2 alpha of the modular angle alpha [Abramowitz 17.2].
+    static real_parameter from_modular_angle(const exact& alpha);
 
     const exact& m() const { return m_; }
     const exact& complement() const { return complement_; }

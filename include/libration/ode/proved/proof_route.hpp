@@ -3,6 +3,7 @@
 
 #include "libration/ode/ball/fast_product.hpp"
 #include "libration/ode/integrator.hpp"
+#include "libration/ode/plane_watch.hpp"
 #include "libration/scalar/ball/magnitude.hpp"
 
 namespace libration::ode {
@@ -17,6 +18,8 @@ struct proof_route {
     /// The product of long series; null: term by term, quotients by their recurrence.
     const series::block_product<ball>* product = fast_product<ball>();
     integrator_choice integrator = integrator_choice::automatic;
+    /// Called for each disc of a path in the complex plane.
+    plane_watch watch = {};
 
     /// The route of --check: five more terms, steps of seven eighths, series term by term.
     static proof_route second() { return {5, 7, nullptr}; }

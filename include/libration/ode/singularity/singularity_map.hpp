@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "libration/ode/explicit_system.hpp"
+#include "libration/ode/plane_watch.hpp"
 #include "libration/scalar/complex_number.hpp"
+#include "libration/scalar/error.hpp"
 #include "libration/scalar/mpfr.hpp"
 
 namespace libration::ode {
@@ -69,6 +71,8 @@ struct singularity_request {
     /// The number of points per side of a square of half side `within` on which the first unknown is evaluated; 0 for
     /// none.
     int portrait = 0;
+    /// Called for each expansion point.
+    plane_watch watch = {};
 };
 
 /// The singularities found, by modulus and then by argument; mirror images are listed separately, and so are the
@@ -83,6 +87,8 @@ struct singularity_map {
     long points = 0;
     /// Whether the equation has entire solutions, by its form.
     bool entire = false;
+    /// What the watch threw to end the work after the search: singularities that were not refined yet are left out.
+    std::optional<error> ended = {};
     /// The requested portrait, row by row from below.
     std::vector<plane_value> portrait;
 };
@@ -96,7 +102,8 @@ struct singularity_map {
 /// of those that they depend on, and in units in which the series about the initial point fits into double (a power of
 /// two for the time and for each unknown). A singularity is found from the coefficients of the unknowns of the
 /// component only: if these are regular at a singularity of the unknowns that they depend on, they have none there.
-/// Throws error if the initial point is singular in powers of a root, or if a path cannot be followed.
+/// Throws error if the initial point is singular in powers of a root, or if a path cannot be followed, and what the
+/// watch throws during the search.
 singularity_map singularities_of(const explicit_system& system, const singularity_request& request);
 
 }  // namespace libration::ode

@@ -36,4 +36,7 @@ rational nearest_double(const rational& q);
 /// its value. Throws error for a multiple of the period, too.
 exact nearest_double(const exact& number);
 
+/// One unit in the last place of a double of the size of q: 2^(e - 53) for 2^(e-1) <= |q| < 2^e, at least 2^-1074.
+rational unit_in_last_place(const rational& q);
+
 }  // namespace libration

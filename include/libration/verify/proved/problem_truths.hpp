@@ -53,7 +53,10 @@ private:
     march_pair& marches(long digits);
     std::vector<true_value> truths_at(const exact& time, long digits);
     std::string condition_at(const exact& time, long digits);
-    std::string condition_of_slope(const exact& time, const solution_component& of, long digits);
+    std::string condition_of_slope(const exact& time, long digits);
+    std::vector<mpfr> slopes_at(const exact& time, long digits);
+    std::vector<mpfr> slopes_of(const exact& time, const solution_state<mpfr>& state) const;
+    solution_state<mpfr> midpoints_of(const std::vector<ball>& values) const;
     std::optional<std::vector<moved_value>> moved_at(const exact& at);
 
     explicit_system system_;  // of the components that are compared and those on which they depend

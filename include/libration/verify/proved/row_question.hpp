@@ -20,26 +20,35 @@ struct row_question {
     /// The true values of the compared columns, at the working precision of this many digits; empty if that is too
     /// low. May throw precision_exhausted.
     std::function<std::vector<true_value>(long digits)> truths;
+    /// The derivatives of the compared columns with respect to the time of the row, to a few digits, empty at an initial
+    /// time; no function if rows have no time.
+    std::function<std::vector<mpfr>(long digits)> slopes = {};
     /// The condition number of the first column, or the largest of all columns, depending on the source, three digits;
     /// "inf" if it has none.
     std::function<std::string(long digits)> condition;
+};
+
+inline constexpr long digits_of_row_numbers = 20;
+
+/// Numbers of a row, to 20 digits, by which mistakes that rows have in common are recognised (common_mistake).
+struct row_numbers {
+    std::vector<mpfr> written;
+    std::vector<mpfr> truths;
+    std::vector<mpfr> errors;  ///< written - truth
+    std::vector<mpfr> slopes;  ///< derivatives of the truths by time; empty if unknown, and for a row without a miss
 };
 
 /// A row compared with its true values.
 struct compared_values {
     std::vector<comparison> values;
     std::string condition;
+    /// std::nullopt if one of the values is not finite.
+    std::optional<row_numbers> numbers = std::nullopt;
     /// Whether the true values are.
     bool proved = true;
 
     /// Whether all of them are within their tolerance.
     bool within() const;
-};
-
-/// A value as it was written, which may be "nan" or "inf", and the name of its column.
-struct written_value {
-    std::string text;
-    std::string name;
 };
 
 /// Throws error of the name of a column if it is not a number.

@@ -26,6 +26,13 @@ real_parameter real_parameter::from_modulus(const exact& k) {
     return from_parameter(k * k);
 }
 
+real_parameter real_parameter::from_modular_angle(const exact& alpha) {
+    const expression angle = as_expression(alpha);
+    const expression sine = apply(function_kind::sin, angle);
+    const expression cosine = apply(function_kind::cos, angle);
+    return {exactly(sine * sine, alpha.text), exactly(cosine * cosine, alpha.text), false};
+}
+
 real_parameter::real_parameter(exact m, exact complement, bool from_complement)
     : m_(std::move(m)),
       complement_(std::move(complement)),

@@ -155,6 +155,9 @@ complex_set complex_flow::start() const {
 
 complex_disc::complex_disc(const complex_flow& flow, complex_set about)
     : flow_(&flow), set_(std::move(about)), bits_(bits_of(set_, flow.bits_)) {
+    if (flow.route_.watch) {
+        flow.route_.watch(plane_step::disc);
+    }
     expand();
 }
 

@@ -66,7 +66,11 @@ int proved_pole_order(const explicit_system& system, const found_singularity& fo
     return 0;
 }
 
-[[noreturn]] void refuse_proof(const std::string& why) { throw error(error_kind::undecided, "problem", "", why); }
+constexpr const char* subject_of_refusals = "problem";
+
+[[noreturn]] void refuse_proof(const std::string& why) {
+    throw error(error_kind::undecided, subject_of_refusals, "", why);
+}
 
 std::string shown_number(const mpfr& x) { return to_decimal(x, shown_digits); }
 
@@ -213,7 +217,8 @@ proved_singularity proved_or_refused(const explicit_system& system, const found_
         }
         proved_singularity refused;
         refused.centre = found.offset;
-        refused.refusal = problem.reason();
+        refused.refusal = problem.subject() == subject_of_refusals ? problem.reason()
+                                                                   : std::string("was not decided: ") + problem.what();
         return refused;
     }
 }
@@ -259,7 +264,11 @@ long find_upper_bound(const explicit_system& system, long digits, const proof_ro
         singularity_request request;
         request.digits = loop_digits + 6;
         request.nearest_alone = true;
+        request.watch = route.watch;
         const singularity_map map = singularities_of(system, request);
+        if (map.ended) {
+            throw error(*map.ended);
+        }
         if (map.all.empty()) {
             refuse_proof("has no upper bound of its radius: no singularity was found within " +
                          shown_number(mpfr(map.within)) +
@@ -297,6 +306,20 @@ covering covered_with_bits(const explicit_system& system, const ball& rho, long 
     return found;
 }
 
+// The same; if an error of the kind undecided ends it, the message contains the proved upper bound.
+covering covered_or_ended(const explicit_system& system, const ball& rho, long digits, const proof_route& route,
+                          const ball& upper) {
+    try {
+        return covered_with_bits(system, rho, digits, route);
+    } catch (const error& reason) {
+        if (reason.kind() != error_kind::undecided) {
+            throw;
+        }
+        refuse_proof("has a radius of at most " + shown_number(midpoint_of(upper)) +
+                     ", proved; a lower bound is not: " + reason.what());
+    }
+}
+
 // The independent systems that are not entire, the one with this leaf first.
 std::vector<closed_subsystem> systems_to_cover(const explicit_system& system, std::size_t leaf) {
     std::vector<closed_subsystem> all = independent_subsystems(system);
@@ -325,7 +348,7 @@ proved_radius prove_radius(const explicit_system& system, long digits, const pro
     result.systems = systems.size();
     result.rotation = symmetry_of(systems.front().system).rotation;
     for (const closed_subsystem& each : systems) {
-        covering found = covered_with_bits(each.system, rho, digits, route);
+        covering found = covered_or_ended(each.system, rho, digits, route, result.upper);
         if (!found.complete) {
             refuse_proof("has a radius of at most " + shown_number(midpoint_of(result.upper)) +
                          (systems.size() > 1 ? ", proved; of " + joined_names(each.system) + " it is at least "

@@ -88,12 +88,13 @@ leaf_group leaves_named(const explicit_system& of, const std::vector<std::string
 class component_search {
 public:
     component_search(const explicit_system& whole, const std::vector<std::size_t>& component,
-                     const dependency_graph& graph, long most_points)
+                     const dependency_graph& graph, long most_points, const plane_watch& watch)
         : part_(subsystem_of(whole, graph.closure(component.front()))),
           scaled_(scaled_to_start(part_.system)),
           paths_(part_.system),
           rotation_(std::max(1, tape::about_start(part_.system).stride())),
-          most_points_(most_points) {
+          most_points_(most_points),
+          watch_(watch) {
         const dependency_graph inner(part_.system);
         for (const auto& each : inner.strong_components()) {
             names_.push_back(names_of(part_.system, each));
@@ -120,9 +121,8 @@ public:
         return least;
     }
 
-    // The singularities of the component, in high precision.
-    std::vector<found_singularity> refined(double within, long digits) const {
-        std::vector<found_singularity> all;
+    // Adds the singularities of the component, in high precision.
+    void refine(double within, long digits, std::vector<found_singularity>& all) const {
         for (const candidate& each : search_->found()) {
             if (!is_own(each) || in_time(std::abs(each.at)) > within) {
                 continue;
@@ -137,8 +137,10 @@ public:
             for (found_singularity& image : images_of(one, rotation_)) {
                 all.push_back(std::move(image));
             }
+            if (watch_) {
+                watch_(plane_step::point);
+            }
         }
-        return all;
     }
 
     // Every point of the square, from a search that uses no symmetry except the reflection.
@@ -173,7 +175,7 @@ private:
         for (const auto& each : names_) {
             groups.push_back(leaves_named(scaled_.system, each));
         }
-        return std::make_unique<singularity_search>(*scaled_paths_, std::move(groups), rotation, most_points_);
+        return std::make_unique<singularity_search>(*scaled_paths_, std::move(groups), rotation, most_points_, watch_);
     }
 
     found_singularity of_whole(found_singularity found) const {
@@ -192,6 +194,7 @@ private:
     std::unique_ptr<path_system> scaled_paths_;
     int rotation_;
     long most_points_;
+    const plane_watch& watch_;
     std::vector<std::vector<std::string>> names_;  // of the strong components, this one last
     leaf_group own_;
     std::unique_ptr<singularity_search> search_;
@@ -200,14 +203,14 @@ private:
 using component_searches = std::vector<std::unique_ptr<component_search>>;
 
 // The searches of the components whose solutions are not entire by their form.
-component_searches searches_of(const explicit_system& system, long most_points) {
+component_searches searches_of(const explicit_system& system, const singularity_request& request) {
     component_searches all;
     const dependency_graph graph(system);
     auto components = graph.strong_components();
     std::ranges::sort(components);  // by their first unknowns
     for (const auto& each : components) {
         if (!has_entire_solutions(subsystem_of(system, graph.closure(each.front())).system)) {
-            all.push_back(std::make_unique<component_search>(system, each, graph, most_points));
+            all.push_back(std::make_unique<component_search>(system, each, graph, request.most_points, request.watch));
         }
     }
     return all;
@@ -254,6 +257,35 @@ double search_all(const component_searches& all, const singularity_request& requ
     return searched;
 }
 
+// What a watch throws, distinguished from the errors of the work.
+struct ended_by_watch {
+    error of;
+};
+
+plane_watch marking(const plane_watch& watch) {
+    if (!watch) {
+        return {};
+    }
+    return [&watch](plane_step step) {
+        try {
+            watch(step);
+        } catch (const error& reason) {
+            throw ended_by_watch{reason};
+        }
+    };
+}
+
+// Until the watch ends it.
+void refine_all(const component_searches& searches, long digits, singularity_map& map) {
+    try {
+        for (const auto& each : searches) {
+            each->refine(map.within, digits, map.all);
+        }
+    } catch (const ended_by_watch& reason) {
+        map.ended = reason.of;
+    }
+}
+
 bool is_before(const found_singularity& a, const found_singularity& b) {
     const double of_a = rounded_size(a.offset);
     const double of_b = rounded_size(b.offset);
@@ -276,9 +308,11 @@ std::string words_of(singularity_kind kind, double exponent) {
     return "unclear";
 }
 
-singularity_map singularities_of(const explicit_system& system, const singularity_request& request) {
+namespace {
+
+singularity_map searched(const explicit_system& system, const singularity_request& request) {
     singularity_map map;
-    const auto searches = searches_of(system, request.most_points);
+    const auto searches = searches_of(system, request);
     map.entire = searches.empty();
     if (map.entire) {
         return map;
@@ -286,19 +320,29 @@ singularity_map singularities_of(const explicit_system& system, const singularit
     map.within = search_all(searches, request);
     if (request.portrait >= 2) {
         const dependency_graph graph(system);
-        const component_search first(system, graph.component_of(0), graph, request.most_points);
+        const component_search first(system, graph.component_of(0), graph, request.most_points, request.watch);
         map.portrait = first.portrait(request.portrait, map.within, system.unknowns().front().name);
     }
     for (const auto& each : searches) {
         map.points += each->points();
         map.unexplained += each->unexplained();
-        for (found_singularity& one : each->refined(map.within, request.digits)) {
-            map.all.push_back(std::move(one));
-        }
     }
+    refine_all(searches, request.digits, map);
     map.complete = map.unexplained == 0;
     std::ranges::stable_sort(map.all, is_before);
     return map;
+}
+
+}  // namespace
+
+singularity_map singularities_of(const explicit_system& system, const singularity_request& request) {
+    singularity_request watched = request;
+    watched.watch = marking(request.watch);
+    try {
+        return searched(system, watched);
+    } catch (const ended_by_watch& reason) {
+        throw error(reason.of);
+    }
 }
 
 }  // namespace libration::ode

@@ -22,8 +22,9 @@ double squared_distance(const plane_point& a, const plane_point& b) { return std
 }  // namespace
 
 singularity_search::singularity_search(const path_system& of, std::vector<leaf_group> groups, int rotation,
-                                       long most_points)
+                                       long most_points, const plane_watch& watch)
     : of_(of),
+      watch_(watch),
       groups_(std::move(groups)),
       carried_(of.lifted.given),
       rotation_(rotation),
@@ -49,6 +50,9 @@ void singularity_search::add_expanded(const plane_point& at, int parent) {
         made.radius = 0;
     }
     points_.push_back(std::move(made));
+    if (watch_) {
+        watch_(plane_step::point);
+    }
 }
 
 std::vector<complex_number<double>> singularity_search::values_at(const point& of, const plane_point& at) {

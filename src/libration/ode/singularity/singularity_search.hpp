@@ -6,6 +6,7 @@
 #include <queue>
 #include <vector>
 
+#include "libration/ode/plane_watch.hpp"
 #include "libration/ode/singularity/local_series.hpp"
 
 namespace libration::ode {
@@ -36,7 +37,8 @@ struct candidate {
 /// coefficients: a group that is regular at a singularity of another one has none there.
 class singularity_search {
 public:
-    singularity_search(const path_system& of, std::vector<leaf_group> groups, int rotation, long most_points);
+    singularity_search(const path_system& of, std::vector<leaf_group> groups, int rotation, long most_points,
+                       const plane_watch& watch);
 
     /// Processes every cell of smaller modulus until it is resolved or abandoned.
     void search(double within);
@@ -96,6 +98,7 @@ private:
     };
 
     const path_system& of_;
+    const plane_watch& watch_;
     std::vector<leaf_group> groups_;
     leaf_group carried_;  // all carried unknowns
     int rotation_;

@@ -63,10 +63,10 @@ std::string conditions_in_words() {
 
 const std::vector<known_facts>& all_known_facts() {
     static const std::vector<known_facts> all{
-        facts_of_blasius(),    facts_of_falkner_skan(), facts_of_flierl_petviashvili(),
-        facts_of_painleve_1(), facts_of_pendulum(),     facts_of_rayleigh(),
-        facts_of_sakiadis(),   facts_of_seir(),         facts_of_sir(),
-        facts_of_sir_japan(),  facts_of_thomas_fermi()};
+        facts_of_blasius(),  facts_of_falkner_skan(), facts_of_flierl_petviashvili(),
+        facts_of_kepler(),   facts_of_painleve_1(),   facts_of_pendulum(),
+        facts_of_rayleigh(), facts_of_sakiadis(),     facts_of_seir(),
+        facts_of_sir(),      facts_of_sir_japan(),    facts_of_thomas_fermi()};
     return all;
 }
 

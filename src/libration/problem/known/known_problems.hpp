@@ -9,6 +9,7 @@ namespace libration {
 known_facts facts_of_blasius();
 known_facts facts_of_falkner_skan();
 known_facts facts_of_flierl_petviashvili();
+known_facts facts_of_kepler();
 known_facts facts_of_painleve_1();
 known_facts facts_of_pendulum();
 known_facts facts_of_rayleigh();

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "../solution/taylor_solution.hpp"
+#include "closed_form_states.hpp"
 #include "known_problems.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/ode/proved/proved_singularity.hpp"
@@ -148,23 +149,6 @@ std::vector<answer_value> pendulum_solution::state_at(pendulum::proved_states& s
     return values;
 }
 
-// Calls the progress callback after the last row. False if it ends the work: the rows of the other times are empty.
-bool continues(const request& how, answer& result, std::size_t times) {
-    try {
-        if (how.progress) {
-            how.progress(static_cast<double>(result.rows.size()) / static_cast<double>(times));
-        }
-        return true;
-    } catch (const error& problem) {
-        if (problem.kind() != error_kind::undecided) {
-            throw;
-        }
-        result.missing = problem;
-        result.rows.resize(times);
-        return false;
-    }
-}
-
 answer pendulum_solution::states(const std::vector<exact>& times, const request& how) const {
     const bool correct = how.scalar.kind == scalar_kind::proved || how.scalar.kind == scalar_kind::arbitrary;
     if (!correct) {
@@ -173,39 +157,27 @@ answer pendulum_solution::states(const std::vector<exact>& times, const request&
     if (!how.derivatives.empty()) {
         return general("for derivatives").states(times, how);
     }
-    if (how.integrator != ode::integrator_choice::automatic) {
-        throw error(error_kind::argument, "integrator",
-                    how.integrator == ode::integrator_choice::taylor ? "taylor" : "collocation",
-                    "is not used by the closed form of the pendulum: use automatic, or solve with general = true");
-    }
     pendulum::proved_states& states = states_to(how.printed_digits());
     const bool drifting =
         how.scalar.kind == scalar_kind::arbitrary && general_ && !general_->system().invariants().empty();
     const ode::solution_state<mpfr> without_values(1);
     std::vector<ode::solution_state<mpfr>> of_drifts;
-    answer result{.names = quantities(), .rows = {}, .rigour = "proved"};
-    for (std::size_t i = 0; i < times.size(); ++i) {
-        auto& row = result.rows.emplace_back();
+    answer result = closed_form_states(closed_form(), quantities(), times, how, [&](const exact& time) {
+        auto& drift = of_drifts.emplace_back(without_values);
         try {
-            row = state_at(states, times[i], how.check);
+            closed_form_row row{state_at(states, time, how.check)};
             if (drifting) {
-                of_drifts.push_back(state_of_drift(times[i], how.printed_digits()));
+                drift = state_of_drift(time, how.printed_digits());
             }
+            return row;
         } catch (const error& problem) {
             if (problem.kind() == error_kind::range) {
-                throw error(error_kind::range, "time", times[i].text,
+                throw error(error_kind::range, "time", time.text,
                             "has an angular velocity that is too small to be printed");
             }
-            if (problem.kind() != error_kind::undecided) {
-                throw;
-            }
-            result.missing = problem;
+            throw;
         }
-        of_drifts.resize(result.rows.size(), without_values);
-        if (!continues(how, result, times.size())) {
-            break;
-        }
-    }
+    });
     if (drifting) {
         of_drifts.resize(times.size(), without_values);
         result.drifts = general_->drifts(times, of_drifts, how.printed_digits());

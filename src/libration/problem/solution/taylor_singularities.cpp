@@ -12,6 +12,7 @@
 #include "libration/scalar/ball/decimal.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/text/decimal.hpp"
+#include "plane_work.hpp"
 #include "taylor_solution.hpp"
 #include "words_of_evidence.hpp"
 
@@ -67,13 +68,20 @@ bool discs_meet(const ode::proved_singularity& a, std::size_t of_a, const ode::p
 
 // Another search and another proof, with more digits: as many rows, each of which intersects one of the first.
 void require_second_discs(const ode::explicit_system& system, const std::optional<double>& within, long digits,
-                          const ode::singularity_map& map, const std::vector<ode::proved_singularity>& first) {
+                          const ode::singularity_map& map, const std::vector<ode::proved_singularity>& first,
+                          const ode::plane_watch& watch) {
     ode::singularity_request request;
     request.digits = digits + ode::more_digits_of_second_proof + digits_of_proof;
     request.within = within;
+    request.watch = watch;
     const auto again = ode::singularities_of(system, request);
-    const auto second = ode::prove_singularities(system, again.all, digits + ode::more_digits_of_second_proof, {},
-                                                 ode::proof_route::second());
+    if (again.ended) {
+        throw error(*again.ended);
+    }
+    ode::proof_route route = ode::proof_route::second();
+    route.watch = watch;
+    const auto second =
+        ode::prove_singularities(system, again.all, digits + ode::more_digits_of_second_proof, {}, route);
     for (const auto& each : second) {
         if (!each.refusal.empty()) {
             throw error(error_kind::undecided, "--check", "", "has no second proof: the problem " + each.refusal);
@@ -99,20 +107,34 @@ void require_second_discs(const ode::explicit_system& system, const std::optiona
     }
 }
 
+// Each with a refusal if the search has ended.
 std::vector<ode::proved_singularity> proofs_of(const ode::explicit_system& system, const ode::singularity_map& map,
-                                               const std::optional<double>& within, const request& how) {
+                                               const request& how, const ode::plane_watch& watch) {
+    if (map.ended) {
+        ode::proved_singularity refused;
+        refused.refusal = std::string("was not decided: ") + map.ended->what();
+        return std::vector(map.all.size(), refused);
+    }
     const auto checked = checked_products(how.check);
     std::size_t done = 0;
-    auto proofs = ode::prove_singularities(system, map.all, how.printed_digits(), [&] {
+    std::optional<error> ended;
+    const auto show = [&] {
         ++done;
-        if (how.progress) {
-            how.progress(static_cast<double>(done) / static_cast<double>(map.all.size()));
+        if (how.progress && !ended) {
+            ended =
+                undecided_in([&] { how.progress(static_cast<double>(done) / static_cast<double>(map.all.size())); });
         }
-    });
-    if (how.check) {
-        require_second_discs(system, within, how.printed_digits(), map, proofs);
-    }
-    return proofs;
+    };
+    ode::proof_route route;
+    route.watch = [&](ode::plane_step step) {
+        if (ended) {
+            throw error(*ended);
+        }
+        if (watch) {
+            watch(step);
+        }
+    };
+    return ode::prove_singularities(system, map.all, how.printed_digits(), show, route);
 }
 
 // A bound of the distance between a position and its decimals: its own error, and their rounding.
@@ -175,11 +197,13 @@ std::string extent_of(const ode::singularity_map& map) {
 answer taylor_solution::singularities(const std::optional<double>& within, const request& how) const {
     const bool prove = how.scalar.kind == scalar_kind::proved;
     const long digits = how.printed_digits();
+    plane_work work(how);
     ode::singularity_request request;
     request.digits = prove ? digits + digits_of_proof : digits;
     request.within = within;
+    request.watch = work.watch();
     const auto map = ode::singularities_of(system_, request);
-    const bool none_found = map.all.empty() && !map.entire;
+    const bool none_found = map.all.empty() && !map.entire && !map.ended;
     const std::string searched = short_text(map.within, digits_of_distance);
     if (none_found && !within) {
         throw error(error_kind::undecided, "solution", "",
@@ -191,18 +215,23 @@ answer taylor_solution::singularities(const std::optional<double>& within, const
                   "rigour", "unknown", "coefficient_re", "coefficient_im", "resonances", "evidence"},
         .rows = {},
         .rigour = prove && !none_found ? "proved" : "heuristic",
-        .notes = {{"extent", extent_of(map)}}};
+        .missing = map.ended,
+        .notes = {{"extent", map.ended ? "of those " + extent_of(map) : extent_of(map)}}};
     if (none_found) {
         result.notes.push_back({"none", "none found within " + searched + ", which does not prove that there is none"});
     }
     const precision_scope scope(digits + guard_digits);
-    const auto proofs = prove ? proofs_of(system_, map, within, how) : std::vector<ode::proved_singularity>();
+    const auto proofs = prove ? proofs_of(system_, map, how, work.watch()) : std::vector<ode::proved_singularity>();
     std::size_t refused = 0;
     for (std::size_t i = 0; i < map.all.size(); ++i) {
         result.rows.push_back(row_of(system_, map.all[i], prove ? &proofs[i] : nullptr, digits));
         refused += prove && !proofs[i].refusal.empty() ? 1 : 0;
     }
-    if (refused != 0) {
+    if (how.check && prove && !map.ended) {
+        result.missing =
+            undecided_in([&] { require_second_discs(system_, within, digits, map, proofs, work.watch()); });
+    }
+    if (refused != 0 && !map.ended) {
         result.missing = error(error_kind::undecided, "proof", "",
                                "leaves " + std::to_string(refused) + " of " + std::to_string(map.all.size()) +
                                    " singularities unproved: their rows are heuristic and give the reason");

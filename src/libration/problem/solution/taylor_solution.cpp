@@ -28,14 +28,7 @@ constexpr long digits_of_second = ode::more_digits_of_second_proof;
 
 std::vector<ode::number> numbers_of(const std::vector<exact>& times) {
     std::vector<ode::number> at;
-    at.reserve(times.size());
-    for (const exact& each : times) {
-        if (each.has_periods()) {
-            throw error(error_kind::argument, "time", each.text,
-                        "is a multiple of a period, which a problem does not have");
-        }
-        at.push_back(as_expression(each));
-    }
+    std::ranges::transform(times, std::back_inserter(at), time_of_problem);
     return at;
 }
 
@@ -112,6 +105,14 @@ std::vector<answer_value> rounded_row(const ode::explicit_system& system, const 
 }
 
 }  // namespace
+
+ode::number time_of_problem(const exact& time) {
+    if (time.has_periods()) {
+        throw error(error_kind::argument, "time", time.text,
+                    "is a multiple of a period, which a problem does not have");
+    }
+    return as_expression(time);
+}
 
 taylor_solution::taylor_solution(ode::equation_system equations)
     : solution(ode::names_of_state(ode::explicit_system(equations))),

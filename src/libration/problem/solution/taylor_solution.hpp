@@ -20,6 +20,9 @@ inline constexpr long digits_of_drift = 3;
 
 inline long digits_of_integration(const request& how) { return std::max(how.printed_digits(), how.scalar.digits); }
 
+/// A time of a problem as a number. Throws error for a multiple of a period.
+ode::number time_of_problem(const exact& time);
+
 /// The expansion point of a text. Throws error of the subject "point".
 ode::complex_constant point_in(const std::string& text);
 

@@ -1,6 +1,8 @@
 #include "libration/scalar/text/written_number.hpp"
 
+#include <algorithm>
 #include <bit>
+#include <cfloat>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -69,6 +71,17 @@ exact nearest_double(const exact& number) {
         throw error(error_kind::argument, "number", "", "is beyond the largest double");
     }
     return {rational(radians), unit::one, number.text};
+}
+
+rational unit_in_last_place(const rational& q) {
+    constexpr long least = DBL_MIN_EXP - DBL_MANT_DIG;
+    if (q == 0) {
+        return power_of(2, least);
+    }
+    const rational size = abs(q);
+    const long below = static_cast<long>(msb(numerator(size))) - static_cast<long>(msb(denominator(size)));
+    const long exponent = power_of(2, below) <= size ? below + 1 : below;
+    return power_of(2, std::max(exponent - DBL_MANT_DIG, least));
 }
 
 }  // namespace libration

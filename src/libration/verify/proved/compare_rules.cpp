@@ -55,7 +55,27 @@ error_bound relative_bound(const true_value& truth, const rational& relative) {
                                              : error_bound(ball(truth.size() * from_rational<ball>(relative)));
 }
 
-error_bound tolerance_for(const written_number& value, const true_value& truth, const compare_rules& rules) {
+// One unit of the last digit, half of it if values are rounded, half a unit in the last place of a double. At an exact
+// 0, that of a number of the scale with as many digits.
+error_bound last_digit_of(const written_number& value, const true_value& truth, bool of_double, bool rounded) {
+    const rational share(1, of_double || rounded ? 2 : 1);
+    if (of_double) {
+        const error_bound own(rational(share * unit_in_last_place(value.value)));
+        if (!truth.is_zero()) {
+            return own;
+        }
+        const long exponent = binary_exponent(midpoint_of(truth.scale));
+        return larger(error_bound(rational(share * power_of(2, exponent - double_digits))), own);
+    }
+    const error_bound last_place(rational(share * value.last_place));
+    if (!truth.is_zero() || value.value == 0) {
+        return last_place;
+    }
+    return larger(relative_bound(truth, rational(share * value.last_place / power_below(value.value))), last_place);
+}
+
+error_bound tolerance_for(const written_number& value, const true_value& truth, bool of_double,
+                          const compare_rules& rules) {
     if (rules.ulps) {
         const long exponent = std::max(1L, binary_exponent(midpoint(truth.value())));
         return error_bound(rational(*rules.ulps * power_of(2, exponent - double_digits)));
@@ -64,14 +84,7 @@ error_bound tolerance_for(const written_number& value, const true_value& truth, 
         const error_bound of_size = relative_bound(truth, *rules.relative);
         return rules.tolerance ? larger(of_size, error_bound(*rules.tolerance)) : of_size;
     }
-    if (rules.tolerance) {
-        return error_bound(*rules.tolerance);
-    }
-    error_bound last_place(value.last_place);
-    if (!truth.is_zero() || value.value == 0) {
-        return last_place;
-    }
-    return larger(relative_bound(truth, rational(value.last_place / power_below(value.value))), last_place);
+    return rules.tolerance ? error_bound(*rules.tolerance) : last_digit_of(value, truth, of_double, rules.rounded);
 }
 
 comparison compare_infinite(int answer, const true_value& truth) {
@@ -82,6 +95,8 @@ comparison compare_infinite(int answer, const true_value& truth) {
 
 }  // namespace
 
+bool is_not_finite(const std::string& value) { return !special(value).none; }
+
 long places_for(const std::string& value, const compare_rules& rules) {
     const long of_rules =
         std::max(rules.tolerance ? places_of(*rules.tolerance) : 0, rules.relative ? places_of(*rules.relative) : 0);
@@ -89,15 +104,19 @@ long places_for(const std::string& value, const compare_rules& rules) {
     return std::max({of_value, of_rules, least_places});
 }
 
-std::optional<comparison> compare_value(const std::string& value, const true_value& truth, const compare_rules& rules,
+std::optional<comparison> compare_value(const written_value& value, const true_value& truth, const compare_rules& rules,
                                         bool last_attempt) {
-    const special_answer answer = special(value);
+    const special_answer answer = special(value.text);
     if (truth.infinite != 0) {
         return compare_infinite(answer.infinite, truth);
     }
-    const written_number written = answer.none ? read_written(value) : written_number{0, 1};
-    const error_bound tolerance = tolerance_for(written, truth, rules);
-    const long places = std::max(places_for(value, rules), rules.ulps || rules.relative ? least_places : 0) + 3;
+    written_number written = answer.none ? read_written(value.text) : written_number{0, 1};
+    const bool of_double = value.of_double && answer.none;
+    if (of_double) {
+        written.value = nearest_double(written.value);
+    }
+    const error_bound tolerance = tolerance_for(written, truth, of_double, rules);
+    const long places = std::max(places_for(value.text, rules), rules.ulps || rules.relative ? least_places : 0) + 3;
     auto result = compare(written.value, truth, tolerance, places, last_attempt);
     return result && !answer.none ? std::optional(infinite_error(result->reference)) : result;
 }

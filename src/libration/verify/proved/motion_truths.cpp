@@ -119,6 +119,14 @@ row_question motion_truths::at(const exact& time, std::size_t count) {
         truths.resize(count);
         return truths;
     };
+    question.slopes = [this, time, count](long digits) {
+        const enclosed_state state = in_precision(digits).of().at(time);
+        const precision_scope scope(digits_of_row_numbers);
+        const auto squared_frequency = from_exact<mpfr>(typed_.squared_frequency);
+        std::vector<mpfr> slopes{midpoint_of(state.omega), mpfr(-squared_frequency * sin(midpoint_of(state.theta)))};
+        slopes.resize(count);
+        return slopes;
+    };
     question.condition = [this, time](long digits) {
         const conditioned_motion& motion = in_precision(digits);
         const auto condition = motion.at(time, motion.of().at(time));

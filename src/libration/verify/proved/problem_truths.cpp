@@ -186,9 +186,43 @@ std::vector<true_value> problem_truths::truths_at(const exact& time, long digits
     return truths;
 }
 
+// Of the compared components at a state, by the right-hand sides.
+std::vector<mpfr> problem_truths::slopes_of(const exact& time, const solution_state<mpfr>& state) const {
+    const auto t = constant_value<mpfr>::of(as_expression(time));
+    const tape tape = tape::about_points(system_);
+    taylor_expansion<mpfr> there(tape, 1);
+    there.about(t, state);
+    std::vector<mpfr> slopes;
+    for (const auto& [unknown, derivative] : asked_) {
+        slopes.push_back(there.coefficients(static_cast<int>(unknown), static_cast<int>(derivative))[1]);
+    }
+    return slopes;
+}
+
+std::vector<mpfr> problem_truths::slopes_at(const exact& time, long digits) {
+    if (is_start(system_, time)) {
+        return {};
+    }
+    const auto state = proves(time) ? midpoints_of(proved_state(time, digits))
+                                    : marches(digits).state(*marches(digits).second, time, second_guard);
+    const precision_scope scope(digits_of_row_numbers);
+    return slopes_of(time, state);
+}
+
+// The unknowns with their derivatives, of the values in their order.
+solution_state<mpfr> problem_truths::midpoints_of(const std::vector<ball>& values) const {
+    solution_state<mpfr> state(system_.unknowns().size());
+    auto next = values.begin();
+    for (std::size_t i = 0; i < state.size(); ++i) {
+        for (int k = 0; k < system_.unknowns()[i].order; ++k) {
+            state[i].push_back(midpoint_of(*next++));
+        }
+    }
+    return state;
+}
+
 // |t y'|/max(1, |y|) of the first column, from a singular initial point.
-std::string problem_truths::condition_of_slope(const exact& time, const solution_component& of, long digits) {
-    const auto [unknown, derivative] = of;
+std::string problem_truths::condition_of_slope(const exact& time, long digits) {
     if (time.is_zero()) {
         return "0";
     }
@@ -199,11 +233,8 @@ std::string problem_truths::condition_of_slope(const exact& time, const solution
     const auto state = pair.state(*pair.second, time, second_guard);
     const precision_scope scope(digits + second_guard);
     const mpfr t = constant_value<mpfr>::of(as_expression(time));
-    const tape tape = tape::about_points(system_);
-    taylor_expansion<mpfr> there(tape, 1);
-    there.about(t, state);
-    const mpfr slope = there.coefficients(static_cast<int>(unknown), static_cast<int>(derivative))[1];
-    const mpfr size = abs(state[unknown][derivative]);
+    const mpfr slope = slopes_of(time, state).front();
+    const mpfr size = abs(state[asked_.front().unknown][asked_.front().derivative]);
     return to_decimal(mpfr(abs(mpfr(t * slope)) / (size > 1 ? size : mpfr(1))), 3);
 }
 
@@ -258,7 +289,7 @@ std::string problem_truths::condition_at(const exact& time, long digits) {
     std::optional<std::vector<moved_value>> moved;
     try {
         if (system_.singular() && (is_start(system_, time) || !proves(time))) {
-            return condition_of_slope(time, asked_.front(), digits);
+            return condition_of_slope(time, digits);
         }
         moved = moved_at(time);
     } catch (const work_limit&) {
@@ -267,7 +298,7 @@ std::string problem_truths::condition_at(const exact& time, long digits) {
         if (!system_.singular()) {
             throw;
         }
-        return condition_of_slope(time, asked_.front(), digits);  // an initial value fixed by the equation
+        return condition_of_slope(time, digits);  // an initial value fixed by the equation
     }
     if (!moved) {
         return "inf";
@@ -291,6 +322,7 @@ row_question problem_truths::at(const exact& time) {
     question.proved = proves(time);
     question.first_digits = [](long places) { return (places + 29) / 10 * 10; };
     question.truths = [this, time](long digits) { return truths_at(time, digits); };
+    question.slopes = [this, time](long digits) { return slopes_at(time, digits); };
     question.condition = [this, time](long digits) { return condition_at(time, digits); };
     return question;
 }

@@ -45,6 +45,30 @@ long places_of_row(const std::vector<written_value>& values, const compare_rules
     return places;
 }
 
+// The slopes are not needed for a row without an error.
+std::optional<row_numbers> numbers_of(const std::vector<written_value>& values, const std::vector<true_value>& truths,
+                                      bool within, const row_question& question, long digits) {
+    row_numbers numbers;
+    const auto to_few_digits = [](const ball& x) {
+        const precision_scope scope(digits_of_row_numbers);
+        return binary_exponent(x) < smallest_exponent ? mpfr(0)
+                                                      : mpfr(midpoint_of(x), mpfr::thread_default_precision());
+    };
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (is_not_finite(values[i].text) || truths[i].infinite != 0) {
+            return std::nullopt;
+        }
+        const auto written = from_rational<ball>(read_written(values[i].text).value);
+        numbers.written.push_back(to_few_digits(written));
+        numbers.truths.push_back(to_few_digits(truths[i].value()));
+        numbers.errors.push_back(to_few_digits(written - truths[i].value()));
+    }
+    if (!within && question.slopes) {
+        numbers.slopes = question.slopes(digits);
+    }
+    return numbers;
+}
+
 }  // namespace
 
 bool compared_values::within() const {
@@ -68,13 +92,14 @@ compared_values compare_row(const std::vector<written_value>& values, const row_
             if (i == 0 && rules.modulo_turn) {
                 truths[i] = turned_towards(values[i].text, truths[i]);
             }
-            auto value = compare_value(values[i].text, truths[i], rules, run.last);
+            auto value = compare_value(values[i], truths[i], rules, run.last);
             if (!value) {
                 undecided = values[i].name;
                 return std::nullopt;
             }
             here.values.push_back(*std::move(value));
         }
+        here.numbers = numbers_of(values, truths, here.within(), question, run.more);
         here.condition = question.condition(run.more);
         return here;
     };
