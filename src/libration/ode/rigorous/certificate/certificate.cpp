@@ -118,13 +118,16 @@ public:
         }
         const precision_scope scope(decimal_digits(bits_));
         time_ = constant_value<ball>::of(system.point());
+        std::vector<magnitude> radii;
         for (const auto& values : system.starts()) {
             for (const number& each : values) {
                 const ball value = constant_value<ball>::of(each);
                 given_.centre.push_back(midpoint_alone(value));
-                given_.radii.push_back(magnitude::radius_of(value));
+                radii.push_back(magnitude::radius_of(value));
             }
         }
+        given_.errors = error_set(std::move(radii));
+        given_.slow = given_.centre.size();
     }
 
     long bits_of_bounds() const { return bits_ + more_bits_of_bounds; }
@@ -135,22 +138,16 @@ public:
     // False if no step is proved from the initial point on.
     bool begin(const rational& farthest) {
         const precision_scope scope(decimal_digits(bits_));
-        const std::size_t n = given_.centre.size();
-        given_.added.assign(n, magnitude());
-        given_.blocks.assign(n, 1);
-        given_.slow = n;
-        for (std::size_t j = 0; j < n; ++j) {
-            given_.columns.emplace_back(n);
-            given_.columns.back()[j] = ball(1);
-        }
         auto set = lifted_set(form_, time_, given_);
         if (!set) {
             return false;
         }
         // The checker encloses the initial values in a box of about this size.
-        for (magnitude& each : set->added) {
+        std::vector<magnitude> added = set->errors.added();
+        for (magnitude& each : added) {
             each += magnitude::of(1, 3 - bits_of_bounds());
         }
+        set->errors = error_set(set->errors.columns(), set->errors.blocks(), set->errors.radii(), std::move(added));
         const ball rest = from_rational<ball>(farthest) - time_;
         integrator_.begin(time_, *set, first_length(set->centre, rest));
         return prepare();
