@@ -15,11 +15,7 @@ shorter(s) = number_name(s)
 tint(j) = shade[(j - 1) % 6 + 1]
 
 load scripts.'/shared/ratio_fit.gp'
-# The cells of the verdict: the first row.
-verdict(c) = ask(sprintf("awk -F, -v c='%s' 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == c) k = i } NR == 2 { print $k }' '%s/radius.csv'", c, data))
-verdict_radius = verdict('radius'); verdict_uncertainty = verdict('uncertainty')
-verdict_re = verdict('position_re'); verdict_im = verdict('position_im')
-verdict_count = verdict('count'); verdict_exponent = verdict('exponent')
+test_cell(m, c) = ask(sprintf("awk -F, -v m='%s' -v c='%s' 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == c) k = i } NR > 1 && $1 == m { print $k; exit }' '%s/radius.csv'", m, c, data))
 named = ''
 pade_order = ''
 

@@ -1,5 +1,6 @@
-# coefficient_plot: what lists of coefficients show about the nearest singularity: for each list a Domb-Sykes plot, the
-# root test and the poles of a Pade approximant below each other, so that a narrow screen shows them as well.
+# coefficient_plot: the plots of lists of coefficients by which the nearest singularity is found: for each list a
+# Domb-Sykes plot, the root test and the poles of a Pade approximant below each other, so that a narrow screen shows
+# them as well.
 # `list_names`, `pade_order`, `figure`, `figure_title` and `figure_note` are texts. Columns of ratios_K: n,inverse_n,
 # ratio,root,corrected_root,power,ratio_in_power,pair_ratio; of poles_K: kind,position_re,position_im,modulus,distance;
 # of radius: method,radius,uncertainty,...,unknown.
@@ -10,8 +11,9 @@ verdicts = data.'/radius.csv'
 place(c) = or_0(ask(sprintf("head -n 1 '%s' | tr ',' '\\n' | grep -nxF -- '%s' | cut -d: -f1", verdicts, c)))
 several = place('unknown')
 n = words(list_names)
-of_list(i) = several ? sprintf('$1 == "verdict" && $%d == "%s"', several, word(list_names, i)) : '$1 == "verdict"'
-verdict(i, c) = first_of(verdicts, place(c), of_list(i))
+list_at = 1
+of_list(m) = several ? sprintf('$1 == "%s" && $%d == "%s"', m, several, word(list_names, list_at)) : sprintf('$1 == "%s"', m)
+test_cell(m, c) = first_of(verdicts, place(c), of_list(m))
 shown_name(i) = n > 1 ? word(list_names, i) : ''
 
 across = 1; down = 3 * n
@@ -25,9 +27,7 @@ do for [kind in terminals] {
         ratios = data.sprintf('/ratios_%d.csv', i)
         poles = data.sprintf('/poles_%d.csv', i)
         named = shown_name(i)
-        verdict_radius = verdict(i, 'radius'); verdict_uncertainty = verdict(i, 'uncertainty')
-        verdict_re = verdict(i, 'position_re'); verdict_im = verdict(i, 'position_im')
-        verdict_count = verdict(i, 'count'); verdict_exponent = verdict(i, 'exponent')
+        list_at = i
         do for [k=1:3] {
             part = word('ratios roots poles', k)
             eval panel(3 * i - 3 + k)

@@ -47,7 +47,7 @@ std::string with_greek_letter(const std::string& word) {
 }  // namespace
 
 figure_file::figure_file(const std::optional<std::string>& out) {
-    const std::string remedy = "end it in .svg, .pdf or .png, or leave the ending out for all three";
+    const std::string remedy = "write FILE.svg, FILE.pdf or FILE.png, or FILE for all three";
     if (!out) {
         throw input_error("--plot draws a file: add --out FILE.svg, FILE.pdf or FILE.png, or FILE for all three");
     }
