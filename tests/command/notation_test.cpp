@@ -68,4 +68,10 @@ TEST_CASE("a number of more than three turns is noted as radians", "[command][no
     }
 }
 
+TEST_CASE("an incomplete exponent is not a point, as it is not a time", "[command][bad input]") {
+    const words growth{"--problem", "y' = y; y(0) = 1"};
+    check_refused(words{"coefficients", "--order", "2", "--at", "2e"} + growth, {"--at '2e'"});
+    check_refused(words{"reference", "--time", "2e"} + growth, {"--times '2e'"});
+}
+
 }  // namespace command_notation_test

@@ -27,6 +27,9 @@ struct series_request {
     std::vector<ode::complex_constant> corners = {};
 };
 
+/// A point of the complex plane in a text. Throws error of the subject "point". Needs libration::proved.
+ode::complex_constant point_in(const std::string& text);
+
 /// Points of the complex plane, each reached by the corners and then straight.
 struct complex_path_request {
     std::vector<ode::complex_constant> times;

@@ -2,29 +2,18 @@
 
 #include <algorithm>
 
+#include "libration/scalar/text/utf8.hpp"
+
 namespace libration {
 
 namespace {
 
 constexpr std::size_t longest_message = 2000;
 
-// The bytes of the character of UTF-8 that a text begins with; 0 where that is none, or a control character.
+// Of the character that a text begins with; 0 if there is none, or a control character.
 std::size_t printable_bytes(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const unsigned char first = byte(0);
-    if (first < 0x80) {
-        return first < 0x20 || first == 0x7f ? 0 : 1;
-    }
-    const std::size_t bytes = first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : first < 0xf5 ? 4 : 0;
-    if (bytes == 0 || bytes > text.size() || (first == 0xc2 && byte(1) < 0xa0)) {
-        return 0;
-    }
-    for (std::size_t i = 1; i < bytes; ++i) {
-        if (byte(i) < 0x80 || byte(i) > 0xbf) {
-            return 0;
-        }
-    }
-    return bytes;
+    const std::size_t bytes = bytes_of_character(text);
+    return bytes > 0 && is_printable(text.substr(0, bytes)) ? bytes : 0;
 }
 
 std::string escaped(char c) {

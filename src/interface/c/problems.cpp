@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "guarded.hpp"
-#include "libration/ode/parse.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "libration/problem/find.hpp"
 #include "libration/problem/solution.hpp"
@@ -117,14 +116,6 @@ libration_table table_of_values(const answer& found) {
     return table;
 }
 
-ode::complex_constant read_point(const std::string& text) {
-    try {
-        return ode::parse_complex_constant(text);
-    } catch (const error& problem) {
-        throw error(problem.kind(), "point", text, problem.reason());
-    }
-}
-
 series_request request_of(const char* point, const char* corners, long first, long last) {
     require_powers(first, last);
     if (is_given(corners) && !is_given(point)) {
@@ -133,7 +124,7 @@ series_request request_of(const char* point, const char* corners, long first, lo
     series_request request{.first = first, .order = last, .about = is_given(point) ? point : ""};
     if (is_given(corners)) {
         for (const std::string& each : items_of(corners, "corners")) {
-            request.corners.push_back(read_point(each));
+            request.corners.push_back(point_in(each));
         }
     }
     return request;

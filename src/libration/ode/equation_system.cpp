@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "libration/scalar/error.hpp"
+#include "libration/scalar/text/utf8.hpp"
 
 namespace libration::ode {
 
@@ -30,11 +31,11 @@ std::vector<std::string> parameters_in(const expression& e) {
 std::string beginning_of(const std::string& text) {
     constexpr std::size_t shown = 60;
     std::size_t end = 0;
-    for (std::size_t count = 0; end < text.size(); ++end) {
-        const bool begins = (static_cast<unsigned char>(text[end]) & 0xc0) != 0x80;  // a character of UTF-8
-        if (begins && count++ == shown) {
+    for (std::size_t count = 0; end < text.size(); ++count) {
+        if (count == shown) {
             return text.substr(0, end) + "...";
         }
+        end += std::max<std::size_t>(bytes_of_character(std::string_view(text).substr(end)), 1);
     }
     return text;
 }

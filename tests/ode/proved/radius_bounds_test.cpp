@@ -298,6 +298,18 @@ TEST_CASE("bounds that no covering reaches are told", "[ode][proved][singularity
     CHECK(mpfr(7) / 3 <= mpfr(fine.upper));
 }
 
+TEST_CASE("a constant solution has an infinite radius", "[ode][proved][singularity]") {
+    for (const char* text : {"x'' = -sin(x); x(0) = 0; x'(0) = 0", "x'' = -sin(x); x(0) = pi; x'(0) = 0",
+                             "x' = y^2 - 1; y' = t*x; x(0) = 0; y(0) = 1"}) {
+        CAPTURE(text);
+        const proved_radius radius = prove_radius(typed(text), 5);
+        CHECK((radius.infinite && radius.constant));
+    }
+    CHECK_FALSE(is_constant(typed("x'' = -sin(x); x(0) = 0; x'(0) = 1")));
+    CHECK_FALSE(is_constant(typed("y' = t*y^2; y(0) = 1")));
+    CHECK_FALSE(is_constant(typed("y' = y^2; y(0) = 1e-300")));
+}
+
 // The watch hears of points and discs; one that ends the covering leaves the upper bound.
 TEST_CASE("a proof of a radius that is ended keeps its upper bound", "[ode][proved][singularity]") {
     long points = 0;

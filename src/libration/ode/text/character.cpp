@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "libration/scalar/text/utf8.hpp"
+
 namespace libration::ode {
 
 namespace {
@@ -104,17 +106,8 @@ constexpr std::array spellings{
     spelling{"\ufeff", "", character_kind::blank},
 };
 
-bool continues(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
-
-// The bytes of the character of UTF-8 at the front of a text; 1 for a byte that is not part of one.
-std::size_t bytes_of_first(std::string_view text) {
-    const auto first = static_cast<unsigned char>(text.front());
-    const std::size_t bytes = first < 0xc2 ? 1 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : first < 0xf5 ? 4 : 1;
-    if (bytes > text.size() || !std::ranges::all_of(text.substr(1, bytes - 1), continues)) {
-        return 1;
-    }
-    return bytes;
-}
+// Of the character at the front of a text; 1 for a byte that is not part of one.
+std::size_t bytes_of_first(std::string_view text) { return std::max<std::size_t>(bytes_of_character(text), 1); }
 
 }  // namespace
 
@@ -126,14 +119,6 @@ character first_character(std::string_view text) {
     const auto found = std::ranges::find(spellings, source, &spelling::source);
     return found != spellings.end() ? character{source, found->ascii, found->kind}
                                     : character{source, "", character_kind::other};
-}
-
-bool is_printable(std::string_view character) {
-    const auto first = static_cast<unsigned char>(character.front());
-    if (character.size() == 1) {
-        return first >= ' ' && first < 0x7f;
-    }
-    return first != 0xc2 || static_cast<unsigned char>(character[1]) >= 0xa0;
 }
 
 std::size_t characters_in(std::string_view text) {

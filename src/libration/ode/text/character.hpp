@@ -28,9 +28,6 @@ struct character {
 /// The text must not be empty.
 character first_character(std::string_view text);
 
-/// Whether it is UTF-8 without control characters: as one character of a message.
-bool is_printable(std::string_view character);
-
 /// The number of characters of a text, where each byte that is not part of UTF-8 counts as one.
 std::size_t characters_in(std::string_view text);
 

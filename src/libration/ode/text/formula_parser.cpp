@@ -169,6 +169,9 @@ private:
         if (name == "T" && role_ != formula_role::equation) {
             refuse("T", words_[next_].at, "is the period of a pendulum, of which a problem has none: write a number");
         }
+        if (name == "e" && role_ == formula_role::point) {
+            refuse("e", words_[next_].at, "is an incomplete exponent, as in other times: write 1e5, or exp(1)");
+        }
         return std::nullopt;
     }
 

@@ -8,6 +8,7 @@
 #include "libration/ode/parse.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/text/number_lexer.hpp"
+#include "libration/scalar/text/utf8.hpp"
 
 namespace libration::ode {
 

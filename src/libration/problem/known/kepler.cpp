@@ -75,7 +75,8 @@ closed_form_row kepler_solution::row_at(const exact& time, long digits) const {
 
 answer kepler_solution::states(const std::vector<exact>& times, const request& how) const {
     const bool proved = how.scalar.kind == scalar_kind::proved;
-    if (!proved && how.scalar.kind != scalar_kind::arbitrary) {
+    const bool correct = proved || how.scalar.kind == scalar_kind::arbitrary;
+    if (!correct || !how.derivatives.empty()) {
         return taylor_solution::states(times, how);
     }
     answer result = closed_form_states(closed_form(), quantities(), times, how,

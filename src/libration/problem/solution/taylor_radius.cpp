@@ -51,7 +51,7 @@ void require_second_bounds(const ode::explicit_system& system, long digits, cons
 
 std::vector<answer_note> notes_of(const ode::explicit_system& system, const ode::proved_radius& radius) {
     if (radius.infinite) {
-        return {{"radius", words_of_entire_solutions}};
+        return {{"radius", radius.constant ? "the solution is constant" : words_of_entire_solutions}};
     }
     const std::string systems =
         radius.systems > 1    ? ", once for each of " + std::to_string(radius.systems) + " independent systems"

@@ -23,9 +23,6 @@ inline long digits_of_integration(const request& how) { return std::max(how.prin
 /// A time of a problem as a number. Throws error for a multiple of a period.
 ode::number time_of_problem(const exact& time);
 
-/// The expansion point of a text. Throws error of the subject "point".
-ode::complex_constant point_in(const std::string& text);
-
 class taylor_solution : public solution {
 public:
     /// Throws error as ode::explicit_system does.
