@@ -43,7 +43,7 @@ list(JOIN study_entries ", " study_entries)
 configure_file(cmake/registry.cpp.in ${generated_dir}/registry.cpp @ONLY)
 
 set(study_rooms text run option equation journal sweep)
-set(command_rooms list plot motion table verify report verb)
+set(command_rooms list plot motion table verify find report verb)
 list(TRANSFORM study_rooms REPLACE ".+" "${PROJECT_SOURCE_DIR}/src/command/\\0/*.cpp")
 list(TRANSFORM command_rooms REPLACE ".+" "${PROJECT_SOURCE_DIR}/src/command/\\0/*.cpp")
 file(GLOB sweep_sources CONFIGURE_DEPENDS ${study_rooms})

@@ -52,6 +52,7 @@ MODULES = {
         "ode/proved/proved_events.hpp",
         "ode/proved/event_search.hpp",
         "ode/proved/proved_root.hpp",
+        "ode/proved/solution_branch.hpp",
         "ode/proved/radius_bounds.hpp",
         "ode/proved/proved_singularity.hpp",
     ],

@@ -582,6 +582,19 @@ FAULTS = [
         ("the test of Krawczyk passed over", "if (!(reach < radii[i])) {", "if (false) {"),
     ),
     *in_file(
+        "src/libration/ode/proved/shooting/shooting.cpp", ["ode/proved/conditions_at_times_test.cpp"],
+        ("the motion of a time forgotten", "row[j] += speed[place] * numbers.of(what->slopes[j]);",
+         "row[j] += speed[place] * 0 * numbers.of(what->slopes[j]);"),
+        ("a value that does not move a condition", "row[j] += numbers.of(by_value) * values.derivative[k][j];",
+         "row[j] += numbers.of(by_value) * 0 * values.derivative[k][j];"),
+    ),
+    *in_file(
+        "src/libration/ode/proved/shooting/turning_point.cpp", ["ode/proved/solution_branch_test.cpp"],
+        ("the variation of the equations halved", "slopes.push_back(derivative_along(each, form_.leaves, variations_));",
+         "slopes.push_back(derivative_along(each, form_.leaves, variations_) / 2);"),
+        ("the motion of a time forgotten in the variation", "sum = sum + slope * later;", "sum = sum + slope * 0;"),
+    ),
+    *in_file(
         "src/libration/digits/proved/two_proofs.cpp", [ROUTES],
         ("two proofs always agree", "return distance <= fraction_of(first.uncertainty) + fraction_of(second.uncertainty);",
          "return true;"),

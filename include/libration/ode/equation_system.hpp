@@ -115,4 +115,32 @@ private:
 /// The same for a single expression. Throws error like parameter_values::in().
 expression with_values(const expression& e, const equation_system& system);
 
+/// An unknown or a lower derivative at a time, which is constant and may contain parameters.
+struct value_at_time {
+    expression of;
+    expression time;
+};
+
+/// The equations differences[i] = 0 in parameters and in leaves, each of which represents a value at a time:
+///     conditions_at_times periodic;
+///     periodic.add(periodic.at(ode::unknown("y"), 0) - periodic.at(ode::unknown("y"), ode::parameter("T")));
+class conditions_at_times {
+public:
+    /// The leaf that represents a value at a time; the same for the same value.
+    expression at(const expression& of, const expression& time);
+    /// difference = 0, in parameters and leaves of at().
+    conditions_at_times& add(const expression& difference);
+
+    const std::vector<expression>& differences() const { return differences_; }
+    /// The values that occur, in the order of leaves().
+    const std::vector<value_at_time>& values() const { return values_; }
+    /// leaves()[k] represents values()[k].
+    const std::vector<expression>& leaves() const { return leaves_; }
+
+private:
+    std::vector<expression> differences_;
+    std::vector<value_at_time> values_;
+    std::vector<expression> leaves_;
+};
+
 }  // namespace libration::ode

@@ -19,11 +19,15 @@ struct opened_system {
     std::vector<expression> starts;
     /// leaves[i] represents free number i.
     std::vector<expression> leaves;
+    /// The other expressions, such as conditions, in terms of the leaves.
+    std::vector<expression> others;
 };
 
-/// Names are those of parameters, or of initial values such as f''(0). Throws error for other names, and if the
-/// equation requires the number to be constant, such as an exponent.
-opened_system opened(const equation_system& given, const std::vector<std::string>& names);
+/// Names are those of parameters, or of initial values such as f''(0). The parameters in `others` are replaced by the
+/// leaves of the free ones and by the values of the rest. Throws error for other names, and if the equation requires
+/// the number to be constant, such as an exponent.
+opened_system opened(const equation_system& given, const std::vector<std::string>& names,
+                     const std::vector<expression>& others = {});
 
 /// The equations of these unknowns and of those that they depend on; all free numbers keep their leaves.
 opened_system closed_part(const opened_system& of, const std::vector<std::string>& unknowns);

@@ -59,9 +59,10 @@ equation_system changed(equation_system system, std::string_view text);
 /// with its parameters replaced by their values. Throws error like parse().
 expression parse_condition(const equation_system& of, std::string_view text);
 
-/// A condition f'(5) = 1: the constant value of an unknown of the system or a lower derivative at a constant time.
-/// Throws error like parse().
-start parse_point_condition(const equation_system& of, std::string_view text);
+/// Adds a condition such as y(1) + y'(1) = 0, y(0) = y(1) or y(T)^2 = k: an equation between expressions of parameters
+/// and of unknowns of the system or lower derivatives, each at a constant time. Throws error like parse(), with the
+/// condition as it would be accepted.
+void add_condition(conditions_at_times& to, const equation_system& of, std::string_view text);
 
 /// A constant expression, as for a time or the value of a parameter: numbers, pi, functions, a number directly before
 /// pi or deg. Throws error like parse().

@@ -10,7 +10,8 @@
 namespace libration {
 
 /// The parameters or initial values k, f''(0) for which as many conditions f'(5) = 1 hold, near the values that the
-/// problem has, each digit proved: name and value, a row for each. A single condition at infinity, f'(inf) = 1, is
+/// problem has, each digit proved: name and value, a row for each. A condition is an equation between expressions of
+/// parameters and of values at several times, f(0) + f'(1)^2 = k (ode::add_condition). A single condition at infinity, f'(inf) = 1, is
 /// decided by a lemma about the problem (proved_for_infinity), and may determine several. With request.check the
 /// values are compared with a second proof: throws std::runtime_error with both enclosures if they disagree. Of the
 /// callbacks only request.reached is called, which may throw to end the search: what it throws reaches the caller.
@@ -18,6 +19,24 @@ namespace libration {
 /// that it cannot determine, and of the kind undecided for a condition at infinity without a lemma.
 answer find_unknowns(const problem& of, const std::vector<std::string>& unknowns,
                      const std::vector<std::string>& conditions, const request& how);
+
+/// The values of a parameter or an initial value along which a branch is followed, as typed, at least two in one
+/// direction.
+struct branch_values {
+    std::string parameter;
+    std::vector<std::string> values;
+};
+
+/// The branch of solutions of the conditions in a parameter, past turning points (ode::follow_branch), from the first
+/// value and the problem's first guess: a row for each passage of one of the values and for each turning point, in the
+/// order of the branch: point ("solution" or "turning point"), the parameter, and the unknowns, each digit proved, or
+/// with a bound below 10^-digits for a value that is not distinguished from 0. The note "end" says where and why the
+/// branch ends; answer::missing is set if points are not proved, if the branch could not be continued, or if a callback
+/// threw an error of the kind undecided after the first point: request.reached, or request.progress, which is called
+/// with 0 after each point. With request.check as above, point by
+/// point. Throws error like find_unknowns, and of the subject "along" for the parameter and its values.
+answer find_branch(const problem& of, const std::vector<std::string>& unknowns,
+                   const std::vector<std::string>& conditions, const branch_values& along, const request& how);
 
 /// The periodic orbit near the initial values of an autonomous problem: the unknowns and their lower derivatives on a
 /// section, and `period`; name and value, a row for each, each digit proved, compared and watched as above. Throws

@@ -199,15 +199,17 @@ void warn_of_unused_parameters(const std::string& written) {
     }
 }
 
-// Once, taking into account the condition of --until.
+// Once, taking into account the conditions and names of other options.
 void problem_options::warn_of_unused(const std::string& written) const {
     if (std::exchange(warned_, true)) {
         return;
     }
     std::string used = written;
-    const CLI::Option* const until = command_->get_option_no_throw("--until");
-    for (const std::string& condition : until == nullptr ? std::vector<std::string>() : until->results()) {
-        used += "\n" + condition;
+    for (const char* option : {"--until", "--such-that"}) {
+        const CLI::Option* const conditions = command_->get_option_no_throw(option);
+        for (const std::string& each : conditions == nullptr ? std::vector<std::string>() : conditions->results()) {
+            used += "\n" + each;
+        }
     }
     try {
         warn_of_unused_parameters(used);

@@ -31,11 +31,6 @@ void require_time(const exact& value) {
     }
 }
 
-std::string without_blanks(std::string text) {
-    std::erase_if(text, [](unsigned char c) { return std::isspace(c) != 0; });
-    return text;
-}
-
 set_axis split_set(const std::string& words) {
     const auto equals = words.find('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == words.size()) {
@@ -101,6 +96,11 @@ void put_in_order(std::vector<set_axis>& sets, const ode::equation_system& syste
 }
 
 }  // namespace
+
+std::string without_blanks(std::string text) {
+    std::erase_if(text, [](unsigned char c) { return std::isspace(c) != 0; });
+    return text;
+}
 
 ode::explicit_system swept_problem::at(const std::vector<exact>& values) const {
     ode::equation_system changed = system;

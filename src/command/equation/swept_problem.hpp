@@ -45,5 +45,7 @@ shared_problem sweep_problem(const std::string& said, const std::vector<std::str
 std::string quoted_word(const std::string& word);
 /// Without such quotes.
 std::string unquoted_word(const std::string& word);
+/// The text without blanks, tabs and ends of lines.
+std::string without_blanks(std::string text);
 
 }  // namespace libration

@@ -1,17 +1,23 @@
 // libration find: proved parameters, initial values and periodic orbits of any problem.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <memory>
 
 #include "equation/problem_options.hpp"
+#include "equation/swept_problem.hpp"
+#include "find/found_solutions.hpp"
+#include "find/solution_branches.hpp"
 #include "libration/problem/find.hpp"
 #include "libration/problem/known_facts.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
 #include "run/ending_signal.hpp"
+#include "run/grid.hpp"
 #include "run/progress.hpp"
 #include "text/input_error.hpp"
+#include "text/quotation.hpp"
 
 namespace libration {
 
@@ -21,16 +27,40 @@ struct find_options {
     problem_options problem;
     output_options output;
     std::optional<std::string> digits;
-    std::vector<std::string> unknowns, conditions;
+    std::vector<std::string> unknowns, conditions, guesses;
+    std::optional<std::string> along;
     bool periodic = false, check = false;
 };
 
+// What is typed for the unknowns and the conditions.
+std::string typed_unknowns(const find_options& options) {
+    std::string line = fmt::format("--unknown \"{}\"", fmt::join(options.unknowns, ","));
+    for (const std::string& each : options.conditions) {
+        line += fmt::format(" --such-that \"{}\"", each);
+    }
+    return line;
+}
+
+// The form of several first guesses for each unknown.
+std::string remedy_of_guesses(const find_options& options) {
+    std::string line;
+    for (const std::string& each : options.unknowns) {
+        line += fmt::format(" --guess \"{}=0:10:11\"", each);
+    }
+    return line;
+}
+
 // An error about the conditions, the unknowns or the comparison of proofs names the option.
-[[noreturn]] void refuse(const error& problem) {
+[[noreturn]] void refuse(const find_options& options, const error& problem) {
     const std::string option = problem.subject() == "conditions" || problem.subject() == "condition" ? "--such-that"
                                : problem.subject() == "unknowns"                                     ? "--unknown"
                                : problem.subject() == "check"                                        ? "--check"
+                               : problem.subject() == "along"                                        ? "--along"
                                                                                                      : "";
+    if (problem.subject() == "solution" && problem.reason().ends_with("initial guess")) {
+        throw error(problem.kind(), problem.subject(), problem.value(),
+                    problem.reason() + ", or several with" + remedy_of_guesses(options));
+    }
     if (option.empty() || problem.kind() == error_kind::range) {
         throw error(problem);
     }
@@ -41,20 +71,100 @@ struct find_options {
     throw input_error(option + value + " " + problem.reason() + (option == "--check" ? ": leave it out" : ""));
 }
 
+void require_as_many_conditions(const find_options& options) {
+    const std::size_t unknowns = options.unknowns.size();
+    const std::size_t conditions = options.conditions.size();
+    if (unknowns == conditions) {
+        return;
+    }
+    throw input_error(fmt::format("--unknown names {} and --such-that {}: give as many conditions as unknowns, {}",
+                                  unknowns, conditions,
+                                  conditions < unknowns ? typed_unknowns(options) + " --such-that \"y(1) = 0\""
+                                                        : "with another name in " + typed_unknowns(options)));
+}
+
 answer found_by(const find_options& options, const problem& of, const request& how) {
     if (options.periodic) {
         return find_periodic_orbit(of, how);
     }
     const bool at_infinity = std::ranges::any_of(options.conditions, is_at_infinity);
-    if (!at_infinity && options.conditions.size() != options.unknowns.size()) {
-        throw input_error(fmt::format("--unknown names {} and --such-that {}: give as many conditions as unknowns",
-                                      options.unknowns.size(), options.conditions.size()));
+    if (!at_infinity) {
+        require_as_many_conditions(options);
     }
     try {
         return find_unknowns(of, options.unknowns, options.conditions, how);
     } catch (const error& problem) {
-        refuse(problem);
+        refuse(options, problem);
     }
+}
+
+// NAME = VALUES of --along.
+branch_values read_along(const find_options& options) {
+    const std::string& written = *options.along;
+    const std::string form = "write --along \"k=0:1:11\" with a parameter and its values";
+    const auto equals = written.find('=');
+    if (equals == std::string::npos) {
+        throw input_error("--along", written, "is not NAME=VALUES", form);
+    }
+    branch_values along{without_blanks(written.substr(0, equals)), {}};
+    const auto list =
+        reading("--along", written, form, [&] { return read_grid(without_blanks(written.substr(equals + 1))); });
+    if (list.size() < 2) {
+        throw input_error("--along", written, "has one value",
+                          fmt::format("write \"{0}={1}:LAST:11\", or --set \"{0}={1}\" for this value alone",
+                                      along.parameter, list.front().text));
+    }
+    if (std::ranges::find(options.unknowns, along.parameter) != options.unknowns.end()) {
+        throw input_error("--along", written, "is also given as --unknown",
+                          "leave it out there, as the branch determines it");
+    }
+    for (const exact& each : list) {
+        along.values.push_back(each.text);
+    }
+    return along;
+}
+
+// The branches of all first guesses.
+int run_along(const find_options& options, const problem& of, const request& how, long digits) {
+    require_as_many_conditions(options);
+    const branch_values along = read_along(options);
+    const auto guesses = first_guesses(options.guesses, options.unknowns);
+    solution_branches found;
+    for (const first_guess& guess : guesses) {
+        problem changed = of;
+        for (const std::string& each : guess) {
+            naming_option("--guess", [&] { changed.set(each); });
+        }
+        found.add(guess, [&] {
+            try {
+                return find_branch(changed, options.unknowns, options.conditions, along, how);
+            } catch (const error& problem) {
+                refuse(options, problem);
+            }
+        });
+    }
+    if (found.has_points()) {
+        options.output.write(found.as_table(digits, !options.guesses.empty()));
+    }
+    for (const std::string& each : found.remarks()) {
+        say_line(shortened(each));
+    }
+    return found.has_failures() ? 1 : 0;
+}
+
+// The solutions, then the reasons for those that are missing.
+int print_solutions(const find_options& options, const found_solutions& found, long digits,
+                    const std::optional<error>& ended) {
+    if (!found.solutions().empty()) {
+        options.output.write(found.as_table(digits, !options.guesses.empty()), found.as_text());
+    }
+    for (const std::string& each : found.remarks()) {
+        say_line(shortened(each));
+    }
+    if (ended) {
+        throw error(*ended);
+    }
+    return found.has_failures() ? 1 : 0;
 }
 
 int run_find(const find_options& options) {
@@ -66,25 +176,51 @@ int run_find(const find_options& options) {
                               ? "--periodic is given together with --unknown: leave one of them out"
                               : "nothing to find is given: add --unknown S --such-that \"f'(5) = 1\", or --periodic");
     }
+    if (options.unknowns.empty() && options.along) {
+        throw input_error("--along", *options.along, "is given without --unknown",
+                          "add --unknown S --such-that \"f'(5) = 1\"");
+    }
+    if (options.unknowns.empty() && !options.guesses.empty()) {
+        throw input_error("--guess", options.guesses.front(), "is given without --unknown",
+                          "use --set for the initial point of --periodic");
+    }
     if (options.periodic && !options.conditions.empty()) {
         throw input_error("--such-that", options.conditions.front(), "is given together with --periodic",
                           "leave one of them out");
     }
-    progress shown("find", 1);
-    const request how{
-        .scalar = {scalar_kind::proved, digits}, .check = options.check, .reached = [&](double time, long bits) {
-            shown.reached(time, bits);
-            check_time();
-        }};
-    const answer found = naming_option("--problem", [&] { return found_by(options, of, how); });
-    table data({{"name", ""}, {"value", ""}, {"digits", ""}, {"rigour", ""}});
-    std::string lines;
-    for (const auto& row : found.rows) {
-        data.add_row({row[0].text, cell::number(row[1].text, digits), digits, found.rigour});
-        lines += fmt::format("{:<10}{}\n", row[0].text, row[1].text);
+    const auto guesses = first_guesses(options.guesses, options.unknowns);
+    progress shown("find", guesses.size());
+    const request how{.scalar = {scalar_kind::proved, digits},
+                      .check = options.check,
+                      .progress = [](double) { check_time(); },
+                      .reached =
+                          [&](double time, long bits) {
+                              shown.reached(time, bits);
+                              check_time();
+                          }};
+    if (options.along) {
+        return naming_option("--problem", [&] { return run_along(options, of, how, digits); });
     }
-    options.output.write(data, lines);
-    return 0;
+    found_solutions found;
+    std::optional<error> ended;
+    for (const first_guess& guess : guesses) {
+        problem changed = of;
+        for (const std::string& each : guess) {
+            naming_option("--guess", [&] { changed.set(each); });
+        }
+        try {
+            found.add(guess,
+                      [&] { return naming_option("--problem", [&] { return found_by(options, changed, how); }); });
+        } catch (const error& problem) {
+            if (found.solutions().empty()) {
+                throw;
+            }
+            ended = problem;
+            break;
+        }
+        shown.step();
+    }
+    return print_solutions(options, found, digits, ended);
 }
 
 }  // namespace
@@ -104,8 +240,18 @@ subcommand find_command(CLI::App& program) {
             "the unknown parameters or initial values, k or \"f''(0)\"; the problem's values are the first guess")
         ->delimiter(',')
         ->type_name("NAMES");
-    command->add_option("--such-that", options->conditions, "a condition for each: \"f'(5) = 1\"")
+    command
+        ->add_option("--such-that", options->conditions,
+                     "a condition for each: \"f'(5) = 1\", \"y(0) + y'(1)^2 = k\", \"y(0) = y(T)\"")
         ->type_name("CONDITION");
+    command
+        ->add_option("--guess", options->guesses,
+                     "first guesses of an unknown, each of which may lead to another solution: \"y'(0)=0.5,10\"")
+        ->type_name("NAME=VALUES");
+    command
+        ->add_option("--along", options->along,
+                     "follow the branch of solutions in a parameter, past turning points: \"k=0:3.5:36\"")
+        ->type_name("NAME=VALUES");
     command->add_flag("--periodic", options->periodic, "the periodic orbit near the initial values, and its period");
     command->add_flag("--check", options->check,
                       "compare with a second proof by another route, exit 1 if they disagree");

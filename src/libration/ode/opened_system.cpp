@@ -1,14 +1,32 @@
 #include "libration/ode/opened_system.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
 
 #include "libration/ode/dependency.hpp"
+#include "libration/scalar/text/near_word.hpp"
 
 namespace libration::ode {
 
 namespace {
+
+// The parameters and initial values, for messages about a name that is none of them.
+std::string remedy_for(const std::string& name, const equation_system& of) {
+    constexpr std::size_t most_shown = 8;
+    std::vector<std::string> own;
+    std::ranges::transform(of.parameters, std::back_inserter(own), &definition::name);
+    for (const start& each : of.starts) {
+        const std::string point = each.point.fraction() ? each.point.fraction()->str() : "...";
+        own.push_back(primed(each.of.name(), each.of.derivative()) + "(" + point + ")");
+    }
+    std::string list;
+    for (std::size_t i = 0; i < own.size() && i < most_shown; ++i) {
+        list += (i == 0 ? "" : ", ") + own[i];
+    }
+    return suggestion(name, own) + ": choose one of them, " + list + (own.size() > most_shown ? ", ..." : "");
+}
 
 // Replaces f''(0) = value by f''(0) = a parameter of that value.
 std::string parameter_for_start(equation_system& made, const std::string& name, std::size_t index) {
@@ -20,7 +38,7 @@ std::string parameter_for_start(equation_system& made, const std::string& name, 
             return parameter_name;
         }
     }
-    refuse(name, {}, "is not an initial value of the problem: choose one that is");
+    refuse(name, {}, "is not an initial value of the problem" + remedy_for(name, made));
 }
 
 class opening {
@@ -40,13 +58,14 @@ public:
                 refuse(each, {}, "has no first guess: write " + each + " = number in the problem");
             }
             if (found == nullptr) {
-                refuse(each, {}, "is neither a parameter nor an initial value of the problem: choose one that is");
+                refuse(each, {},
+                       "is neither a parameter nor an initial value of the problem" + remedy_for(each, made_));
             }
             values_.push_back(with_values(found->value, made_).constant());
         }
     }
 
-    opened_system result() {
+    opened_system result(const std::vector<expression>& others) {
         equation_system open = made_;
         parameter_values in_equations = values_with([&](std::size_t i) { return unknown(names_[i]); });
         for (equation& each : open.equations) {
@@ -57,8 +76,11 @@ public:
             open.add(derivative(unknown(names_[i])));
             open.begin(unknown(names_[i]), expression(values_[i]), made_.starts.front().point);
         }
-        opened_system made{explicit_system(open), values_, {}, leaves_};
+        opened_system made{explicit_system(open), values_, {}, leaves_, {}};
         parameter_values in_starts = values_with([&](std::size_t i) { return leaves_[i]; });
+        for (const expression& each : others) {
+            made.others.push_back(in_starts.in(each));
+        }
         for (const unknown_function& each : made.system.unknowns()) {
             for (int j = 0; j < each.order; ++j) {
                 made.starts.push_back(start_of(in_starts, each.name, j));
@@ -96,13 +118,14 @@ private:
 
 }  // namespace
 
-opened_system opened(const equation_system& given, const std::vector<std::string>& names) {
-    return opening(given, names).result();
+opened_system opened(const equation_system& given, const std::vector<std::string>& names,
+                     const std::vector<expression>& others) {
+    return opening(given, names).result(others);
 }
 
 opened_system closed_part(const opened_system& of, const std::vector<std::string>& unknowns) {
     const closed_subsystem part = subsystem_with(of.system, unknowns);
-    opened_system result{part.system, of.values, {}, of.leaves};
+    opened_system result{part.system, of.values, {}, of.leaves, of.others};
     for (const std::size_t leaf : part.leaves) {
         result.starts.push_back(of.starts[leaf]);
     }

@@ -70,9 +70,10 @@ asked_unknown any_unknown(choices& next) {
     }
 }
 
-ode::point_condition condition_of(const ode::equation_system& system, const std::string& text) {
-    const ode::start read = ode::parse_point_condition(system, text);
-    return {read.of.name(), read.of.derivative(), read.point.constant(), read.value.constant()};
+ode::conditions_at_times condition_of(const ode::equation_system& system, const std::string& text) {
+    ode::conditions_at_times only;
+    ode::add_condition(only, system, text);
+    return only;
 }
 
 }  // namespace
@@ -87,7 +88,7 @@ outcome ask_unknown(choices& next) {
     try {
         const auto system = ode::parse(asked.text);
         const auto found =
-            ode::proved_unknowns(system, {asked.name}, {condition_of(system, asked.condition)}, digits).front();
+            ode::proved_unknowns(system, {asked.name}, condition_of(system, asked.condition), digits).front();
         result.add(judged(found, digits, asked.value), fmt::format("{} = {}", asked.name, found.text));
     } catch (const error& refusal) {
         result.add(verdict::refused, refusal.what());

@@ -9,3 +9,4 @@
 #include "libration/ode/proved/proved_root.hpp"
 #include "libration/ode/proved/proved_singularity.hpp"
 #include "libration/ode/proved/proved_trajectory.hpp"
+#include "libration/ode/proved/solution_branch.hpp"

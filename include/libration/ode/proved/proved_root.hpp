@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "libration/ode/equation_system.hpp"
-#include "libration/ode/proved/proved_march.hpp"
+#include "libration/ode/proved/proved_trajectory.hpp"
 #include "libration/scalar/text/printed_number.hpp"
 
 namespace libration::ode {
@@ -28,8 +28,13 @@ using map_of_unknowns =
 ///     x - C F(x) + (1 - C F'(X)) (X - x)
 /// in the interior of X proves that X contains exactly one zero, which lies in this set. Throws error of the kind
 /// undecided if Newton's method does not converge from the guess, if dF/dx is singular, and if the test fails at every
-/// precision.
-std::vector<proved_decimal> proved_root(const map_of_unknowns& f, const std::vector<number>& guess, long digits);
+/// precision: the message has the last iterate with the names of the unknowns, and F there.
+std::vector<proved_decimal> proved_root(const map_of_unknowns& f, const std::vector<number>& guess, long digits,
+                                        const std::vector<std::string>& names = {});
+
+/// The same, with a bound below 10^-digits for an unknown that is not distinguished from 0.
+std::vector<trajectory_value> proved_part_of_root(const map_of_unknowns& f, const std::vector<number>& guess,
+                                                  long digits, const std::vector<std::string>& names = {});
 
 /// The value of an unknown or a lower derivative at a time.
 struct point_condition {
@@ -39,9 +44,14 @@ struct point_condition {
     number value;
 };
 
-/// Values of parameters, or initial values named as f''(0), that satisfy the same number of conditions. The values in
-/// the system are the initial guess; the rows are in the order of the names. Throws error like proved_root, and for a
-/// name that is neither. `watch` is the progress callback of each integration.
+/// Values of parameters, or initial values named as f''(0), that satisfy the same number of conditions, which may
+/// contain them, also as times. The values in the system are the initial guess; the rows are in the order of the names.
+/// Throws error like proved_root, for a name that is neither, and for conditions at no time. `watch` is the progress
+/// callback of each integration.
+std::vector<proved_decimal> proved_unknowns(const equation_system& system, const std::vector<std::string>& names,
+                                            const conditions_at_times& conditions, long digits,
+                                            const proof_route& route = {}, const march_watch& watch = {});
+/// The same for values at times.
 std::vector<proved_decimal> proved_unknowns(const equation_system& system, const std::vector<std::string>& names,
                                             const std::vector<point_condition>& conditions, long digits,
                                             const proof_route& route = {}, const march_watch& watch = {});

@@ -117,6 +117,45 @@ number guessed_period(const explicit_system& system, const first_order_form& for
     return number(result);
 }
 
+// x_i'' = f_i(x) with a symmetric derivative of f: the motion in a potential.
+bool is_in_potential(const explicit_system& system) {
+    const auto& unknowns = system.unknowns();
+    for (std::size_t i = 0; i < unknowns.size(); ++i) {
+        for (std::size_t j = 0; j < unknowns.size(); ++j) {
+            const expression& f = system.right()[i];
+            const bool free = partial(f, unknown(unknowns[j].name, 1)).is(0);
+            if (unknowns[j].order != 2 || !free ||
+                !same_form(partial(f, unknown(unknowns[j].name)),
+                           partial(system.right()[j], unknown(unknowns[i].name)))) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+// find(); a failure is explained for a system with a conserved quantity, whose periodic orbits come in families.
+template <class Find>
+std::vector<proved_decimal> orbit_or_family(const explicit_system& system, const Find& find) {
+    try {
+        return find();
+    } catch (const error& problem) {
+        const bool potential = is_in_potential(system);
+        if (problem.kind() != error_kind::undecided || problem.subject() != "solution" ||
+            (!potential && system.invariants().empty())) {
+            throw;
+        }
+        const std::string x = system.unknowns().front().name;
+        throw error(error_kind::undecided, "solution", "",
+                    std::string("is not isolated: ") +
+                        (potential ? "the energy of a motion in a potential" : "the invariant of the problem") +
+                        " is conserved, so that periodic orbits come in families, one for each energy or period; "
+                        "without --periodic, one of them is determined by its half period T or its energy, if " +
+                        x + "'(0) = 0 and T is a parameter: use --unknown \"" + x + "(0)\" --such-that \"" + x +
+                        "'(T) = 0\", or T as a second unknown and the energy at 0 as a second condition");
+    }
+}
+
 }  // namespace
 
 periodic_orbit proved_periodic_orbit(const explicit_system& system, long digits, const proof_route& route,
@@ -137,9 +176,11 @@ periodic_orbit proved_periodic_orbit(const explicit_system& system, long digits,
     }
     guess.erase(guess.begin() + static_cast<std::ptrdiff_t>(held));
     const closing closed(system, form, held, route, watch);
-    auto values =
-        proved_root([&](const std::vector<ball>& x, long bits, long error_bits) { return closed(x, bits, error_bits); },
-                    guess, digits);
+    auto values = orbit_or_family(system, [&] {
+        return proved_root(
+            [&](const std::vector<ball>& x, long bits, long error_bits) { return closed(x, bits, error_bits); }, guess,
+            digits);
+    });
     const precision_scope scope(digits + 20);
     const auto fixed = to_proved_decimal(constant_value<ball>::of(form.starts[held]), digits);
     periodic_orbit orbit{form.names, std::move(values), {}};

@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "libration/ode/rigorous/error_set.hpp"
+#include "libration/scalar/ball/decimal.hpp"
+#include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"
 #include "needed_bits.hpp"
@@ -26,7 +28,13 @@ constexpr int most_proofs = 12;
 // derivative has the same low precision in all of them.
 constexpr int most_failed_proofs = 5;
 
-[[noreturn]] void refuse_root(const std::string& reason) { throw error(error_kind::undecided, "solution", "", reason); }
+constexpr long digits_of_iterate = 10;
+constexpr long digits_of_residual = 3;
+
+std::string rounded_text(const ball& x, long digits) {
+    const precision_scope scope(digits + 20);
+    return is_finite(x) ? to_decimal(midpoint_of(x), digits) : "not finite";
+}
 
 // An approximate inverse of the midpoint: exact numbers, not an enclosure; std::nullopt if it is singular.
 std::optional<ball_matrix> inverse_near(const ball_matrix& a) {
@@ -67,16 +75,26 @@ std::vector<ball> times(const ball_matrix& a, const std::vector<ball>& x) {
     return result;
 }
 
+constexpr const char* better_guess = "try a better initial guess";
+
+// Unknowns that are not distinguished from 0.
+enum class zero_values {
+    undecided,  // end the proof
+    bounded     // are bounded by 10^-digits
+};
+
 class root_search {
 public:
-    root_search(const map_of_unknowns& f, const std::vector<number>& guess, long digits) : f_(f), bits_(digits) {
+    root_search(const map_of_unknowns& f, const std::vector<number>& guess, long digits,
+                const std::vector<std::string>& names, zero_values zeros)
+        : f_(f), digits_(digits), names_(names), zeros_(zeros), bits_(digits) {
         const precision_scope scope(decimal_digits(first_root_bits));
         for (const number& each : guess) {
             x_.push_back(exact_midpoint(constant_value<ball>::of(each)));
         }
     }
 
-    std::vector<proved_decimal> result() {
+    std::vector<trajectory_value> result() {
         long bits = first_root_bits;
         settle(bits);
         int failed = 0;
@@ -95,15 +113,34 @@ public:
                 bits_.raise_to(bits + bits / 2, "solution", "");
             }
         }
-        refuse_root("is not proved at any precision: it may not be isolated");
+        refuse_root("is not proved at any precision, as if it were not isolated", "change a condition");
     }
 
 private:
+    // The message ends with the last iterate and the values of F there.
+    [[noreturn]] void refuse_root(const std::string& reason, const std::string& remedy) const {
+        std::string where;
+        for (std::size_t i = 0; i < x_.size(); ++i) {
+            const std::string name = i < names_.size() ? names_[i] : "x" + std::to_string(i + 1);
+            where += (i == 0 ? "" : ", ") + name + " = " + rounded_text(x_[i], digits_of_iterate);
+        }
+        std::string residual;
+        for (const ball& each : residual_) {
+            residual += (residual.empty() ? "" : ", ") + rounded_text(each, digits_of_residual);
+        }
+        throw error(error_kind::undecided, "solution", "",
+                    reason + "; the last iterate is " + where +
+                        (residual.empty() ? ", where the conditions have no value" : ", with residual " + residual) +
+                        ": " + remedy);
+    }
+
     enclosed_map at(const std::vector<ball>& x, long bits, long error_bits) {
+        residual_.clear();
         auto map = f_(x, bits, error_bits);
         if (!map) {
-            refuse_root("is not reached with " + std::to_string(bits) + " bits: try a better initial guess");
+            refuse_root("is not reached with " + std::to_string(bits) + " bits", better_guess);
         }
+        residual_ = map->value;
         return *std::move(map);
     }
 
@@ -116,7 +153,7 @@ private:
                 return;
             }
         }
-        refuse_root("is not found, since Newton's method did not converge: try a better initial guess");
+        refuse_root("is not found, since Newton's method did not converge", better_guess);
     }
 
     // Performs one step; returns its length relative to x.
@@ -126,13 +163,13 @@ private:
         const enclosed_map map = at(x_, bits, error_bits);
         const auto inverse = inverse_near(map.derivative);
         if (!inverse) {
-            refuse_root("is not isolated: the derivative of the conditions is singular");
+            refuse_root("is not isolated: the derivative of the conditions is singular", better_guess);
         }
         const auto step = times(*inverse, map.value);
         magnitude longest;
         for (std::size_t i = 0; i < x_.size(); ++i) {
             if (!is_finite(step[i])) {
-                refuse_root("is lost by Newton's method: try a better initial guess");
+                refuse_root("is lost by Newton's method", better_guess);
             }
             x_[i] = exact_midpoint(x_[i] - step[i]);
             longest =
@@ -142,12 +179,12 @@ private:
     }
 
     // Krawczyk's test, and the digits of the proved solution.
-    std::optional<std::vector<proved_decimal>> proved(long bits) {
+    std::optional<std::vector<trajectory_value>> proved(long bits) {
         const precision_scope scope(decimal_digits(bits));
         const enclosed_map here = at(x_, bits, proved_march::usual_error_bits);
         const auto inverse = inverse_near(here.derivative);
         if (!inverse) {
-            refuse_root("is not isolated: the derivative of the conditions is singular");
+            refuse_root("is not isolated: the derivative of the conditions is singular", better_guess);
         }
         const auto step = times(*inverse, here.value);
         std::vector<magnitude> radii;
@@ -192,27 +229,46 @@ private:
         return root;
     }
 
-    std::optional<std::vector<proved_decimal>> printed(const std::vector<ball>& root) {
-        std::vector<proved_decimal> decimals;
+    std::optional<std::vector<trajectory_value>> printed(const std::vector<ball>& root) {
+        std::vector<trajectory_value> values;
         for (const ball& each : root) {
+            if (zeros_ == zero_values::bounded && contains_zero(each) && !is_exact(each) &&
+                certainly_less(abs(each), pow(ball(10), -digits_))) {
+                values.push_back({std::nullopt, bound_text(each)});
+                continue;
+            }
             auto decimal = bits_.printed(each, "solution", "");
             if (!decimal) {
                 return std::nullopt;
             }
-            decimals.push_back(*std::move(decimal));
+            values.push_back({*std::move(decimal), ""});
         }
-        return decimals;
+        return values;
     }
 
     const map_of_unknowns& f_;
+    long digits_;
+    const std::vector<std::string>& names_;
+    zero_values zeros_;
+    std::vector<ball> residual_;  // of the last iterate; empty if it has none
     std::vector<ball> x_;
     needed_bits bits_;
 };
 
 }  // namespace
 
-std::vector<proved_decimal> proved_root(const map_of_unknowns& f, const std::vector<number>& guess, long digits) {
-    return root_search(f, guess, digits).result();
+std::vector<proved_decimal> proved_root(const map_of_unknowns& f, const std::vector<number>& guess, long digits,
+                                        const std::vector<std::string>& names) {
+    std::vector<proved_decimal> decimals;
+    for (const trajectory_value& each : root_search(f, guess, digits, names, zero_values::undecided).result()) {
+        decimals.push_back(each.decimal.value());
+    }
+    return decimals;
+}
+
+std::vector<trajectory_value> proved_part_of_root(const map_of_unknowns& f, const std::vector<number>& guess,
+                                                  long digits, const std::vector<std::string>& names) {
+    return root_search(f, guess, digits, names, zero_values::bounded).result();
 }
 
 }  // namespace libration::ode

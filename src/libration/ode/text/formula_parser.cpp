@@ -17,8 +17,8 @@ constexpr int deepest_formula = 100;
 class formula_parser {
 public:
     formula_parser(const statement& words, std::size_t first, std::size_t last, const known_names& names,
-                   formula_role role)
-        : words_(words), next_(first), last_(last), names_(names), role_(role) {}
+                   formula_role role, conditions_at_times* values)
+        : words_(words), next_(first), last_(last), names_(names), role_(role), values_(values) {}
 
     expression read() {
         expression value = sum();
@@ -227,6 +227,9 @@ private:
         if (is_function_name(word.text)) {
             return function(word);
         }
+        if (values_ != nullptr && (names_.unknowns.contains(word.text) || word.text == names_.variable)) {
+            return value_at_time(next_ - 1);
+        }
         if (at_symbol('(') && words_[next_].touches) {
             if (!names_.unknowns.contains(word.text) || !has_variable_behind(words_, next_ - 1, names_.variable)) {
                 refuse_argument(words_, next_ - 1, names_);
@@ -234,6 +237,14 @@ private:
             next_ += 3;  // y(t) is y
         }
         return named(word);
+    }
+
+    // y'(1), in a condition.
+    expression value_at_time(std::size_t name) {
+        require_time(words_, name, names_);
+        const expression time = in_parentheses(words_[next_++].at);
+        require_constant_time(time, words_, name, next_);
+        return values_->at(unknown(words_[name].text, words_[name].primes), time);
     }
 
     expression function(const token& word) {
@@ -323,6 +334,7 @@ private:
     std::size_t next_, last_;
     const known_names& names_;
     formula_role role_;
+    conditions_at_times* values_;
     int depth_ = 0;
     std::optional<std::size_t> joined_at_;  // the index of the number, if the last factor was one before a name
 };
@@ -330,8 +342,8 @@ private:
 }  // namespace
 
 expression read_formula(const statement& words, std::size_t first, std::size_t last, const known_names& names,
-                        formula_role role) {
-    return formula_parser(words, first, last, names, role).read();
+                        formula_role role, conditions_at_times* values) {
+    return formula_parser(words, first, last, names, role, values).read();
 }
 
 }  // namespace libration::ode

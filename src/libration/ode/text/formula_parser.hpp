@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "libration/ode/expression.hpp"
+#include "libration/ode/equation_system.hpp"
 #include "names.hpp"
 #include "statement.hpp"
 
@@ -13,8 +13,9 @@ namespace libration::ode {
 /// rejected as the period of a motion.
 enum class formula_role { equation, value, point };
 
-/// The formula in the tokens first .. last - 1, at least one. Throws error with the position and the remedy.
+/// The formula in the tokens first .. last - 1, at least one. With `values`, unknowns are at a constant time, y'(1),
+/// which is added to them and represented by its leaf. Throws error with the position and the remedy.
 expression read_formula(const statement& words, std::size_t first, std::size_t last, const known_names& names,
-                        formula_role role);
+                        formula_role role, conditions_at_times* values = nullptr);
 
 }  // namespace libration::ode

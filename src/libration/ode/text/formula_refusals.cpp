@@ -130,6 +130,33 @@ void refuse_argument(const statement& words, std::size_t name, const known_names
                ", or one of " + function_names());
 }
 
+void require_time(const statement& words, std::size_t name, const known_names& names) {
+    const std::string written = text_of(words, name, name + 1);
+    if (words[name].text == names.variable) {
+        refuse(written, words[name].at,
+               "is the independent variable, which has no value in a condition: write " +
+                   corrected(words, name, name + 1, "1") + " with the time instead of 1");
+    }
+    const bool at_variable = has_variable_behind(words, name, names.variable);
+    if (symbol_at(words, name + 1, '(') && !at_variable) {
+        return;
+    }
+    const std::size_t end = at_variable ? name + 4 : name + 1;
+    refuse(text_of(words, name, end), words[name].at,
+           "is not at a constant time: write " + corrected(words, name, end, written + "(1)") +
+               " with the time instead of 1");
+}
+
+void require_constant_time(const expression& time, const statement& words, std::size_t name, std::size_t end) {
+    if (time.is_constant()) {
+        return;
+    }
+    const std::string written = text_of(words, name, name + 1);
+    refuse(text_of(words, name, end), words[name].at,
+           "has a time that is not constant: write " + corrected(words, name, end, written + "(1)") +
+               " with the time, of numbers and parameters, instead of 1");
+}
+
 void refuse_name(const token& word, const known_names& names) {
     const std::string& name = word.text;
     if (name == "i") {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 
+#include "libration/ode/expression.hpp"
 #include "names.hpp"
 #include "statement.hpp"
 
@@ -24,6 +25,12 @@ namespace libration::ode {
 
 /// a(t + 1), f(0), Sin(x): a name at this index that is not a function, before a parenthesis.
 [[noreturn]] void refuse_argument(const statement& words, std::size_t name, const known_names& names);
+
+/// Throws error for y' and y'(t) in a condition, the name of this index, and for the variable.
+void require_time(const statement& words, std::size_t name, const known_names& names);
+
+/// Throws error for y'(y + 1) in a condition, the name of this index up to the token `end`: a time that is not constant.
+void require_constant_time(const expression& time, const statement& words, std::size_t name, std::size_t end);
 
 /// A name without a value.
 [[noreturn]] void refuse_name(const token& word, const known_names& names);

@@ -67,6 +67,20 @@ bool has_meaning(const std::string& name, const known_names& known) {
 
 }  // namespace
 
+known_names names_of(const equation_system& system) {
+    known_names names;
+    names.variable = system.variable;
+    const auto unknowns = system.unknowns();
+    names.unknowns.insert(unknowns.begin(), unknowns.end());
+    for (const definition& each : system.parameters) {
+        names.parameters.insert(each.name);
+    }
+    for (const open_parameter& each : system.open) {
+        names.parameters.insert(each.name);
+    }
+    return names;
+}
+
 bool is_function_name(std::string_view name) { return function_named(name).has_value(); }
 
 void require_free_name(const token& name, const std::string& variable) {

@@ -17,6 +17,9 @@ struct known_names {
     std::set<std::string, std::less<>> parameters;
 };
 
+/// The names of a system, with the parameters that it leaves open.
+known_names names_of(const equation_system& system);
+
 /// Whether the name is that of a function.
 bool is_function_name(std::string_view name);
 

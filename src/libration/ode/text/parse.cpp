@@ -24,17 +24,12 @@ public:
         const auto of_quotients = with_primes(all_, declared);
         names_ = names_in(all_, declared ? *declared : of_quotients ? *of_quotients : inferred_variable(all_));
         result_.open = open_names(all_, names_);
-        accept_open(result_.open);
-    }
-    /// Statements that change a system.
-    problem_reader(std::string_view text, const equation_system& of) : all_(statements_of(text)) {
-        names_.variable = of.variable;
-        const auto unknowns = of.unknowns();
-        names_.unknowns.insert(unknowns.begin(), unknowns.end());
-        for (const definition& each : of.parameters) {
+        for (const open_parameter& each : result_.open) {
             names_.parameters.insert(each.name);
         }
-        accept_open(of.open);
+    }
+    /// Statements that change a system.
+    problem_reader(std::string_view text, const equation_system& of) : all_(statements_of(text)), names_(names_of(of)) {
         with_primes(all_, of.variable, names_);
     }
 
@@ -97,12 +92,6 @@ public:
     }
 
 private:
-    void accept_open(const std::vector<open_parameter>& open) {
-        for (const open_parameter& each : open) {
-            names_.parameters.insert(each.name);
-        }
-    }
-
     expression formula(const statement& words, std::size_t first, std::size_t last) const {
         return read_formula(words, first, last, names_, formula_role::equation);
     }
@@ -235,21 +224,6 @@ expression parse_condition(const equation_system& of, std::string_view text) {
         refuse(std::string(text), {}, "is not a condition: write one equation, as x' = 0");
     }
     return with_values(reader.difference(reader.statements().front()), of);
-}
-
-start parse_point_condition(const equation_system& of, std::string_view text) {
-    problem_reader reader(text, of);
-    const auto& all = reader.statements();
-    if (all.size() == 1) {
-        reader.read_equality(all.front());
-    }
-    if (reader.result().starts.size() != 1) {
-        refuse(std::string(text), {}, "is not a condition at a time: write one, as f'(5) = 1");
-    }
-    start result = reader.result().starts.front();
-    result.point = with_values(result.point, of);
-    result.value = with_values(result.value, of);
-    return result;
 }
 
 namespace {

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
+#include <stdexcept>
 
 #include "libration/digits/proved/two_proofs.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/ode/proved/proved_root.hpp"
+#include "libration/ode/proved/solution_branch.hpp"
 #include "libration/problem/known_facts.hpp"
 
 namespace libration {
@@ -72,16 +75,117 @@ void require_distinct(const std::vector<std::string>& unknowns) {
     }
 }
 
-std::vector<ode::point_condition> read_conditions(const problem& of, const std::vector<std::string>& conditions) {
-    std::vector<ode::point_condition> all;
+ode::conditions_at_times read_conditions(const problem& of, const std::vector<std::string>& conditions) {
+    ode::conditions_at_times all;
     for (const std::string& each : conditions) {
-        const ode::start read = about("conditions", [&] { return ode::parse_point_condition(of.equations(), each); });
-        all.push_back({read.of.name(), read.of.derivative(), read.point.constant(), read.value.constant()});
+        about("conditions", [&] { ode::add_condition(all, of.equations(), each); });
     }
     return all;
 }
 
+void require_as_many(const std::vector<std::string>& conditions, const std::vector<std::string>& unknowns) {
+    if (conditions.size() != unknowns.size()) {
+        throw error(error_kind::argument, "number of conditions", std::to_string(conditions.size()),
+                    "is not that of the unknowns, " + std::to_string(unknowns.size()));
+    }
+}
+
+std::string name_of_point(ode::branch_point_kind kind) {
+    switch (kind) {
+        case ode::branch_point_kind::solution: return "solution";
+        case ode::branch_point_kind::turning_point: return "turning point";
+    }
+    throw std::logic_error("a kind of point without a name");
+}
+
+std::string reason_of_end(ode::branch_end end, const std::string& where) {
+    switch (end) {
+        case ode::branch_end::left: return "leaves the range at " + where;
+        case ode::branch_end::closed: return "is closed: it returns to its first point";
+        case ode::branch_end::no_more: return "is followed up to " + where + ", without a point in the last steps";
+        case ode::branch_end::not_continued: return "cannot be continued beyond " + where;
+    }
+    throw std::logic_error("an end without a reason");
+}
+
+answer_value answer_of_value(const ode::trajectory_value& x) {
+    return x.decimal ? answer_value{x.decimal->text, x.decimal->uncertainty} : answer_value{"", x.bound};
+}
+
+std::optional<error> reason_of_missing(const ode::branch_result& result) {
+    if (!result.unproved.empty()) {
+        return error(error_kind::undecided, "branch", "",
+                     "has points that are not proved, " + std::to_string(result.unproved.size()) + "; the first is " +
+                         result.unproved.front());
+    }
+    if (result.end == ode::branch_end::not_continued) {
+        return error(error_kind::undecided, "branch", "", reason_of_end(result.end, result.where));
+    }
+    return std::nullopt;
+}
+
+answer branch_by(const ode::branch_question& question, const request& how, const ode::proof_route& route) {
+    answer result{.names = {"point", question.parameter}, .rows = {}, .rigour = "proved"};
+    result.names.insert(result.names.end(), question.unknowns.begin(), question.unknowns.end());
+    const auto add = [&](const ode::branch_point& point) {
+        auto& row = result.rows.emplace_back();
+        row.push_back(text_value(name_of_point(point.kind)));
+        std::ranges::transform(point.values, std::back_inserter(row), answer_of_value);
+        if (how.progress) {
+            how.progress(0);  // the number of points is not known
+        }
+    };
+    try {
+        const auto branch = ode::follow_branch(question, add, route, watch_of(how));
+        result.notes.push_back({"end", reason_of_end(branch.end, branch.where)});
+        result.missing = reason_of_missing(branch);
+    } catch (const error& problem) {
+        if (problem.kind() != error_kind::undecided || result.rows.empty()) {
+            throw;
+        }
+        result.missing = problem;
+    }
+    return result;
+}
+
+// Throws std::runtime_error if the points of two proofs disagree.
+void require_same_points(const answer& first, const answer& second) {
+    if (first.rows.size() != second.rows.size()) {
+        throw std::runtime_error(
+            "the two proofs disagree on the number of points: " + std::to_string(first.rows.size()) +
+            " by the first, " + std::to_string(second.rows.size()) + " by the second");
+    }
+    for (std::size_t i = 0; i < first.rows.size(); ++i) {
+        for (std::size_t k = 1; k < first.names.size(); ++k) {
+            const auto enclosure = [](const answer_value& x) {
+                return proved_decimal{x.text.empty() ? "0" : x.text, x.bound};
+            };
+            require_agreement(enclosure(first.rows[i][k]), enclosure(second.rows[i][k]), first.names[k]);
+        }
+    }
+}
+
 }  // namespace
+
+answer find_branch(const problem& of, const std::vector<std::string>& unknowns,
+                   const std::vector<std::string>& conditions, const branch_values& along, const request& how) {
+    auto names = unknowns;
+    names.push_back(along.parameter);
+    require_distinct(names);
+    require_as_many(conditions, unknowns);
+    if (!along.values.empty()) {
+        about("along", [&] { return ode::changed(of.equations(), along.parameter + " = " + along.values.front()); });
+    }
+    ode::branch_question question{of.equations(),  unknowns,     read_conditions(of, conditions),
+                                  along.parameter, along.values, how.printed_digits()};
+    const auto checked = checked_products(how.check);
+    answer found = about("unknowns", [&] { return branch_by(question, how, {}); });
+    if (how.check && !found.missing) {
+        question.digits += ode::more_digits_of_second_proof;
+        require_same_points(found, branch_by(question, how, ode::proof_route::second()));
+    }
+    return found;
+}
 
 answer find_unknowns(const problem& of, const std::vector<std::string>& unknowns,
                      const std::vector<std::string>& conditions, const request& how) {
@@ -100,10 +204,7 @@ answer find_unknowns(const problem& of, const std::vector<std::string>& unknowns
             return found_for_infinity(of, unknowns, conditions.front(), digits);
         });
     }
-    if (conditions.size() != unknowns.size()) {
-        throw error(error_kind::argument, "number of conditions", std::to_string(conditions.size()),
-                    "is not that of the unknowns, " + std::to_string(unknowns.size()));
-    }
+    require_as_many(conditions, unknowns);
     const auto read = read_conditions(of, conditions);
     return found_by(how, [&](long digits, const ode::proof_route& route) {
         return found_values{unknowns, about("unknowns", [&] {

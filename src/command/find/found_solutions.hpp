@@ -1,0 +1,52 @@
+// First guesses of --guess, the solutions that they lead to, and why others lead to none.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "libration/problem/answer.hpp"
+#include "text/table.hpp"
+
+namespace libration {
+
+/// The changes of a problem that are one first guess: "y'(0) = 0.5", "k = 2".
+using first_guess = std::vector<std::string>;
+
+/// NAME=VALUES such as y'(0)=0.5,10 or k=0:1:11 in all combinations, one empty guess if nothing is given. Throws
+/// input_error for other forms, and for names that are not among the unknowns or are given twice.
+std::vector<first_guess> first_guesses(const std::vector<std::string>& given, const std::vector<std::string>& unknowns);
+
+class found_solutions {
+public:
+    /// find() of one first guess. A solution whose enclosures meet those of an earlier one is not added. An error of
+    /// the kind undecided is kept; one that is not about this solution, such as the end of --timeout, is passed on.
+    template <class Find>
+    void add(const first_guess& guess, const Find& find) {
+        try {
+            add_solution(guess, find());
+        } catch (const error& problem) {
+            add_failure(guess, problem);
+        }
+    }
+
+    const std::vector<answer>& solutions() const { return solutions_; }
+    /// One line for each first guess that leads to no solution, or to an earlier one.
+    const std::vector<std::string>& remarks() const { return remarks_; }
+    bool has_failures() const { return has_failures_; }
+
+    /// name, value, digits and rigour; of several first guesses in a first column the number of the solution.
+    table as_table(long digits, bool numbered) const;
+    /// The same as lines, with a blank line between solutions.
+    std::string as_text() const;
+
+private:
+    void add_solution(const first_guess& guess, answer found);
+    void add_failure(const first_guess& guess, const error& problem);
+
+    std::vector<answer> solutions_;
+    std::vector<std::string> remarks_;
+    bool has_failures_ = false;
+};
+
+}  // namespace libration

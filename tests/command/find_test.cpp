@@ -1,0 +1,85 @@
+// libration find: conditions at several times, several first guesses, and what is not accepted.
+#include <catch2/catch.hpp>
+
+#include "command/printed.hpp"
+#include "command/refusal.hpp"
+
+namespace command_find_test {
+
+using namespace libration::tests;
+
+namespace {
+
+const words bratu{"find",        "--problem", "y'' = -e^y; y(0) = 0; y'(0) = 1/2",
+                  "--unknown",   "y'(0)",     "--such-that",
+                  "y(0) = y(1)", "--digits",  "20"};
+
+}  // namespace
+
+TEST_CASE("several first guesses lead to several solutions", "[command][find]") {
+    const auto both = rows_of(bratu + words{"--guess", "y'(0)=0.5,1,10"});
+    REQUIRE(both.size() == 2);
+    CHECK(both[0].at("solution") == "1");
+    CHECK(both[0].at("value") == "0.54935272877527081902");
+    CHECK(both[1].at("solution") == "2");
+    CHECK(both[1].at("value").starts_with("10.8"));
+    const auto lines = run_libration(bratu + words{"--guess", "y'(0)=0.5,1"});
+    CHECK(lines.exit_code == 0);
+    CHECK(lines.err == "libration: the first guess y'(0) = 1 leads to solution 1 again\n");
+}
+
+TEST_CASE("a first guess without a solution is named with its last iterate", "[command][find]") {
+    const words none{"find", "--problem", "y' = a^2 - 1; y(0) = 0; a = 3", "--unknown", "a", "--such-that", "y(1) = 0"};
+    const auto some = run_libration(none + words{"--guess", "a=3,0"});
+    CHECK(some.exit_code == 1);
+    CHECK(some.out.starts_with("a         1.0000"));
+    CHECK(some.err.find("the first guess a = 0 leads to no solution: it is not isolated") != std::string::npos);
+    const auto alone = run_libration(
+        {"find", "--problem", "y' = a^2 + 1; y(0) = 0; a = 3", "--unknown", "a", "--such-that", "y(1) = 0"});
+    CHECK(alone.exit_code == 1);
+    CHECK(alone.err.find("; the last iterate is a = ") != std::string::npos);
+    CHECK(alone.err.find(", with residual ") != std::string::npos);
+    CHECK(alone.err.find("or several with --guess \"a=0:10:11\"") != std::string::npos);
+}
+
+// y(1) = k - 3 s + s^3.
+TEST_CASE("a branch is followed past its turning points", "[command][find]") {
+    const words cubic{"find",      "--problem", "y' = k - 3*s + s^3; y(0) = 0; s = 2; k = 1",
+                      "--unknown", "s",         "--such-that",
+                      "y(1) = 0",  "--digits",  "15"};
+    const auto branch = rows_of(cubic + words{"--along", "k = -3:3:3", "--guess", "s=2"});
+    REQUIRE(branch.size() == 7);
+    CHECK(branch[0].at("branch") == "1");
+    CHECK(branch[2].at("point") == "turning point");
+    CHECK(branch[2].at("k") == "2.00000000000000");
+    CHECK(branch[2].at("s") == "1.00000000000000");
+    CHECK(branch[3].at("s").empty());
+    CHECK(branch[3].at("undecided").starts_with("|s| < "));
+    CHECK(branch[4].at("k") == "-2.00000000000000");
+    CHECK(branch[6].at("rigour") == "proved");
+    const auto ended = run_libration(cubic + words{"--along", "k=-3:3:3"});
+    CHECK(ended.exit_code == 0);
+    CHECK(ended.err.starts_with("libration: the branch leaves the range at k = 3."));
+}
+
+TEST_CASE("what find does not accept is shown as it would be accepted", "[command][find][bad input]") {
+    const words find{"find", "--problem", "y'' = -k*y; y(0) = 0; y'(0) = 1; k = 1", "--unknown", "y'(0)"};
+    check_refused(find + words{"--such-that", "y' = 1"}, {"--such-that", "write y'(1) = 1 with the time"});
+    check_refused(find + words{"--such-that", "y(1) + y'(1)"}, {"--such-that", "write y(1) + y'(1) = 0"});
+    check_refused(find + words{"--unknown", "k", "--such-that", "y(1) = 2"},
+                  {"--unknown \"y'(0),k\" --such-that \"y(1) = 2\" --such-that \"y(1) = 0\""});
+    const words given = find + words{"--such-that", "y(1) = 2"};
+    check_refused(given + words{"--guess", "k=1,2"}, {"--guess 'k=1,2'", "write --guess \"y'(0)=1,2\""});
+    check_refused(given + words{"--guess", "y'(0)"}, {"--guess", "write --guess \"y'(0)=0,1\""});
+    check_refused(given + words{"--guess", "y'(0)=a"}, {"--guess", "\"y'(0)=0:5:11\""});
+    check_refused(given + words{"--guess", "y'(0)=1", "--guess", "y'(0)=2"}, {"--guess", "in one list"});
+    check_refused(given + words{"--along", "q=0:1:3"}, {"--along 'q'", "choose one of its own, k"});
+    check_refused(given + words{"--along", "k"}, {"--along 'k'", "write --along \"k=0:1:11\""});
+    check_refused(given + words{"--along", "k=1"}, {"--along 'k=1'", "write \"k=1:LAST:11\""});
+    check_refused(given + words{"--along", "k=0,2,1"}, {"--along 'k'", "in one direction"});
+    check_refused(given + words{"--along", "y'(0)=0:1:3"}, {"--along", "leave it out there"});
+    check_refused({"find", "--problem", "lorenz", "--along", "r=0:1:3"}, {"--along", "--unknown"});
+    check_refused({"find", "--problem", "van_der_pol", "--periodic", "--guess", "x(0)=1"}, {"--guess", "--set"});
+}
+
+}  // namespace command_find_test
