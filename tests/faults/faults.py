@@ -551,7 +551,8 @@ FAULTS = [
         "src/libration/ode/rigorous/tube_proof.cpp", ["ode/proved/stiff_test.cpp"],
         ("the set at the beginning of a tube forgotten", "old(i, j) = shifted(errors.columns()[j][i], -of.scales[i]);",
          "old(i, j) = ball(0);"),
-        ("half of the defect of a curve", "to.defect.push_back(sum);", "to.defect.push_back(sum.shifted(-1));"),
+        ("half of the defect of a curve", "turned.push_back(forms_.supremum(sum));",
+         "turned.push_back(forms_.supremum(sum).shifted(-1));"),
     ),
     *in_file(
         "src/libration/ode/rigorous/lifted_set.cpp", ["ode/proved/lifted_set_test.cpp"],

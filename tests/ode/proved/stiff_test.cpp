@@ -160,7 +160,7 @@ TEST_CASE("the bound of a defect of constant sign is sharp", "[ode][proved]") {
     const std::vector<ball_polynomial> unit{{ball(1)}, {}, {}, {ball(1)}};
     const tube_candidate neighbour{
         {ball(0), ball(1)}, {0, 0}, {{half, half}, {e * pow(ball(2), -10L)}}, {unit, unit, {1, 1}, 1}};
-    const tube_set start{{ball(0), ball(0)}, {}, {}, {}, {magnitude(), magnitude()}, 0};
+    const tube_set start{{{ball(0), ball(0)}, error_set({}, {}, {}, {magnitude(), magnitude()})}, 0};
     const auto tube = tube_proof(map, 200, 200).tube(neighbour, start);
     REQUIRE(tube);
     const auto last = tube->values_at(ball(1));
