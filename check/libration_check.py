@@ -272,7 +272,7 @@ class Problem:
             slope = partial(u, 0)
             for k, f in enumerate(self.right):
                 slope = plus(slope, times(partial(u, k + 1), f))
-            rule = DERIVATIVES.get(kind, "-w^2" if kind == "/" else "(%s)*w/u" % r)
+            rule = DERIVATIVES.get(kind, "-w^2" if kind == "/" else "(%s)*w/u" % (r,))
             if kind == "^" and r.numerator == -1:
                 rule = "(%s)*w^%d" % (r, r.denominator + 1)
             self.right.append(times(as_polynomial(formula(rule), {"u": u, "w": w}, added), slope))

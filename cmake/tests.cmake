@@ -46,6 +46,9 @@ if(LIBRATION_BUILD_COMMAND)
     # The tables for C++ are compiled as by their users.
     set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/command/table_test.cpp PROPERTIES
         COMPILE_DEFINITIONS LIBRATION_COMPILER="${CMAKE_CXX_COMPILER}")
+    # Certificates are checked by a program of its own.
+    set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/command/certificate_test.cpp PROPERTIES
+        COMPILE_DEFINITIONS LIBRATION_CHECKER="${PROJECT_SOURCE_DIR}/check/libration_check.py")
 endif()
 catch_discover_tests(libration-tests PROPERTIES TIMEOUT 600)
 

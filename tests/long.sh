@@ -17,12 +17,25 @@ part() { # NAME COMMAND...
 
 by_integers() { "$build/libration-attack" print 10000 | "$python" "$tests/attack/by_integers.py"; }
 
+certificates() {
+    local folder status
+    folder=$(mktemp -d) || return
+    "$build/libration" reference --problem pendulum --time 1 --digits 5 --certificate "$folder/pendulum.cert" &&
+        "$build/libration" reference --problem "x' = -x; y' = 1000*x^2 - 1000*y; x(0) = 1; y(0) = 2" --time 1 \
+            --digits 6 --certificate "$folder/stiff.cert" &&
+        "$python" "$tests/certificates/attack.py" --mutations 5000 "$folder/pendulum.cert" "$folder/stiff.cert"
+    status=$?
+    rm -r "$folder"
+    return "$status"
+}
+
 part 'studies that are killed' "$tests/journal/kill" "$build" 300
 part 'planted faults' "$python" "$tests/faults/plant.py" "$build" --jobs "$(nproc)"
 part 'conditions that no test decides both ways' "$python" "$tests/coverage/coverage.py" "$build" --jobs "$(nproc)"
 part 'a million random values' "$build/libration-attack" motions 1000000
 part 'two hundred thousand statements' "$build/libration-attack" statements 200000 2
 part 'ten thousand random values by integers' by_integers
+part 'certificates that are false' certificates
 part 'fuzzing of the readers' "$tests/fuzz/fuzz.sh" "$build"
 part 'the coverage of the radius' "$build/libration-tests" '[.long]'
 exit "$status"

@@ -11,7 +11,7 @@ namespace libration::ode {
 
 namespace {
 
-// The radii at the end may grow by 2^-2 from the rounding of p, which adds to the defects of other steps, and by 2^-5
+// The tube at the end may be wider by 2^-2 from the rounding of p, which adds to the defects of other steps, and by 2^-5
 // from that of the frame, which multiplies with that of other steps.
 constexpr long loss_of_curve = -2;
 constexpr long loss_of_frame = -5;
@@ -73,16 +73,33 @@ ball_polynomial exact_powers(const integer_list& of, long bits) {
     return result;
 }
 
-// Whether the radii at the end are negligible or at most (1 + 2^loss) times those of the polynomials that are not
+// Bounds of |y_i - p_i| at the end of a step, for scaled unknowns.
+std::vector<magnitude> reaches(const solution_tube& of) {
+    constexpr long bits_of_bounds = 64;
+    const tube_set end = of.end(bits_of_bounds, bits_of_bounds);
+    std::vector<magnitude> result;
+    for (std::size_t i = 0; i < of.scales.size(); ++i) {
+        magnitude sum;
+        for (std::size_t j = 0, b = 0; b < end.blocks.size(); j += end.blocks[b++]) {
+            for (std::size_t k = j; k < j + end.blocks[b]; ++k) {
+                sum.add_product(magnitude(end.columns[k][i]), end.radii[b]);
+            }
+        }
+        result.push_back(sum.shifted(-of.scales[i]));
+    }
+    return result;
+}
+
+// Whether the tube at the end is negligible or at most 1 + 2^loss times as wide as that of the polynomials that are not
 // rounded.
-bool keeps_radii(const std::optional<solution_tube>& rounded, const solution_tube& reference, long loss,
+bool keeps_width(const std::optional<solution_tube>& rounded, const std::vector<magnitude>& reference, long loss,
                  const magnitude& negligible) {
     if (!rounded) {
         return false;
     }
-    for (std::size_t b = 0; b < reference.last.size(); ++b) {
-        const magnitude most = reference.last[b] + reference.last[b].shifted(loss);
-        if (!(rounded->last[b] <= std::max(most, negligible))) {
+    const auto now = reaches(*rounded);
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        if (!(now[i] <= std::max(reference[i] + reference[i].shifted(loss), negligible))) {
             return false;
         }
     }
@@ -149,13 +166,13 @@ struct step_rounding::attempt {
         return by.tube(candidate, start);
     }
 
-    // The least number of bits, from a guess on in steps of `grain`, for which `try_bits` keeps the radii.
+    // The least number of bits, from a guess on in steps of `grain`, for which `try_bits` keeps the width.
     template <class Try>
-    long least_bits(long guess, long most, long loss, const solution_tube& reference, const Try& try_bits) {
+    long least_bits(long guess, long most, long loss, const std::vector<magnitude>& reference, const Try& try_bits) {
         const auto keeps = [&](long bits) {
             tube_candidate candidate = found;
             try_bits(candidate, bits);
-            return keeps_radii(by.tube(candidate, start), reference, loss, negligible);
+            return keeps_width(by.tube(candidate, start), reference, loss, negligible);
         };
         long bits = std::min(guess, most);
         if (keeps(bits)) {
@@ -179,24 +196,25 @@ struct step_rounding::attempt {
 };
 
 std::optional<solution_tube> step_rounding::tube(tube_proof& by, const tube_candidate& found, const tube_set& start) {
-    const auto reference = by.tube(found, start);
-    if (!reference) {
+    const auto unrounded = by.tube(found, start);
+    if (!unrounded) {
         return std::nullopt;
     }
+    const auto reference = reaches(*unrounded);
     const precision_scope scope(decimal_digits(by.bits()));
     attempt here(by, found, start, magnitude::of(1, -negligible_bits_));
     exponents bits;
-    bits.curve = here.least_bits(last_.curve, finest_, loss_of_curve, *reference,
+    bits.curve = here.least_bits(last_.curve, finest_, loss_of_curve, reference,
                                  [&](tube_candidate& to, long k) { here.round_curve(to, k); });
-    bits.frame = here.least_bits(last_.frame, finest_frame, loss_of_frame, *reference,
+    bits.frame = here.least_bits(last_.frame, finest_frame, loss_of_frame, reference,
                                  [&](tube_candidate& to, long k) { here.round_frame(to, k); });
-    bits.slow_rows = here.least_bits(last_.slow_rows, finest_frame, loss_of_frame, *reference,
+    bits.slow_rows = here.least_bits(last_.slow_rows, finest_frame, loss_of_frame, reference,
                                      [&](tube_candidate& to, long k) { here.round_inverse(to, k, finest_frame); });
-    bits.fast_rows = here.least_bits(last_.fast_rows, finest_frame, loss_of_frame, *reference,
+    bits.fast_rows = here.least_bits(last_.fast_rows, finest_frame, loss_of_frame, reference,
                                      [&](tube_candidate& to, long k) { here.round_inverse(to, finest_frame, k); });
     last_ = bits;
     auto proved = here.rounded(bits);
-    while (!keeps_radii(proved, *reference, loss_of_curve + 1, here.negligible) && bits.frame < finest_frame) {
+    while (!keeps_width(proved, reference, loss_of_curve + 1, here.negligible) && bits.frame < finest_frame) {
         bits = {std::min(bits.curve + 1, finest_), bits.frame + 1, bits.slow_rows + 1, bits.fast_rows + 1};
         proved = here.rounded(bits);
     }

@@ -1,0 +1,98 @@
+// reference --certificate: check/libration_check.py, a program in integers for Python's standard library, proves the
+// printed values from the file, and refuses it if a digit is changed.
+#include <sys/wait.h>
+
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <string>
+
+#include "command/refusal.hpp"
+#include "libration/ode/rigorous/certificate/certificate.hpp"
+
+namespace command_certificate_test {
+
+using namespace libration;
+using namespace libration::tests;
+
+namespace {
+
+struct checked_file {
+    int exit_code;
+    std::string out;
+};
+
+checked_file checked(const temporary_folder& folder, const std::string& name) {
+    const std::string out = (folder.path() / "out").string();
+    const std::string line =
+        std::string("python3 -I " LIBRATION_CHECKER " ") + (folder.path() / name).string() + " > " + out;
+    const int status = std::system(line.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of_file(out)};
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("the values of a certificate are proved by the checker", "[command][reference][certificate]") {
+    const temporary_folder folder;
+    const words certified{"--certificate", "a.cert"};
+    const auto lorenz = run_libration(
+        words{"reference", "--problem", "lorenz", "--time", "1/4,1/2", "--digits", "8"} + certified, folder.path());
+    CHECK(lorenz.exit_code == 0);
+    const auto proved = checked(folder, "a.cert");
+    INFO(proved.out);
+    CHECK(proved.exit_code == 0);
+    CHECK(contains(proved.out, "exists on [0, 1/2]"));
+    CHECK(contains(proved.out, "y' = x*(-z + 28) - y"));
+    CHECK(contains(proved.out, "x(1/4) lies in ["));
+    CHECK(contains(proved.out, "z(1/2) lies in ["));
+    // A constant, sines, quotients, powers and explicit time; theta(0) = pi/3 is enclosed by the checker.
+    const std::string mixed =
+        "x'' = -sin(x) + exp(-t)/(2 + cos(x)) - log(3 + t)*sqrt(2 + x^2)/7; x(1/10) = pi/3; x'(1/10) = -1/5";
+    const auto done = run_libration(
+        words{"reference", "--problem", mixed, "--time", "3/10", "--digits", "8"} + certified, folder.path());
+    INFO(done.err);
+    REQUIRE(done.exit_code == 0);
+    const auto also = checked(folder, "a.cert");
+    INFO(also.out);
+    CHECK(also.exit_code == 0);
+}
+
+TEST_CASE("a changed certificate is refused by the checker", "[command][reference][certificate]") {
+    const temporary_folder folder;
+    const auto done = run_libration(
+        {"reference", "--problem", "y' = y; y(0) = 1", "--time=-1/2", "--digits", "6", "--certificate", "a.cert"},
+        folder.path());
+    REQUIRE(done.exit_code == 0);
+    CHECK(checked(folder, "a.cert").exit_code == 0);
+    const std::string edit =
+        "import zlib, sys; f = sys.argv[1]; t = zlib.decompress(open(f, 'rb').read()); "
+        "open(f, 'wb').write(zlib.compress(t.replace(b'start 1', b'start 2')))";
+    const std::string line = "python3 -c \"" + edit + "\" " + (folder.path() / "a.cert").string();
+    REQUIRE(std::system(line.c_str()) == 0);
+    const auto refused = checked(folder, "a.cert");
+    CHECK(refused.exit_code == 1);
+    CHECK(contains(refused.out, "Not proved: step 1: start or joint: radius of block 1"));
+}
+
+TEST_CASE("problems without a certificate are refused", "[command][reference][certificate]") {
+    const temporary_folder folder;
+    const words certified{"--digits", "5", "--certificate", "a.cert"};
+    check_refused(words{"reference", "--energy", "1", "--time", "1"} + certified, {"--certificate", "--problem"},
+                  folder);
+    check_refused(words{"reference", "--problem", "lorenz", "--until", "x = 0"} + certified, {"--until"}, folder);
+}
+
+TEST_CASE("the interval of a decimal is one unit of its last digit on each side", "[certificate]") {
+    const auto in = ode::within_one_unit("-1.250", 4);
+    CHECK(in.lower == "-1.251");
+    CHECK(in.upper == "-1.249");
+    CHECK(in.low == rational(-1251, 1000));
+    const auto small = ode::within_one_unit("2.50e-8", 3);
+    CHECK(small.high == rational(251) / pow(integer(10), 10));
+    CHECK(small.upper == "2.51e-8");
+    CHECK(ode::within_one_unit("9.99e12", 3).high == rational(integer(10) * pow(integer(10), 12)));
+    CHECK(ode::within_one_unit("0", 3).low == rational(-1, 1000));
+}
+
+}  // namespace command_certificate_test
