@@ -76,13 +76,13 @@ ball_polynomial exact_powers(const integer_list& of, long bits) {
 // Bounds of |y_i - p_i| at the end of a step, for scaled unknowns.
 std::vector<magnitude> reaches(const solution_tube& of) {
     constexpr long bits_of_bounds = 64;
-    const tube_set end = of.end(bits_of_bounds, bits_of_bounds);
+    const error_set end = of.end(bits_of_bounds, bits_of_bounds).errors;
     std::vector<magnitude> result;
     for (std::size_t i = 0; i < of.scales.size(); ++i) {
         magnitude sum;
-        for (std::size_t j = 0, b = 0; b < end.blocks.size(); j += end.blocks[b++]) {
-            for (std::size_t k = j; k < j + end.blocks[b]; ++k) {
-                sum.add_product(magnitude(end.columns[k][i]), end.radii[b]);
+        for (std::size_t j = 0, b = 0; b < end.blocks().size(); j += end.blocks()[b++]) {
+            for (std::size_t k = j; k < j + end.blocks()[b]; ++k) {
+                sum.add_product(magnitude(end.columns()[k][i]), end.radii()[b]);
             }
         }
         result.push_back(sum.shifted(-of.scales[i]));
