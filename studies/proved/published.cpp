@@ -262,7 +262,7 @@ const study& published() {
         .of = &values_in_print(),
         .parameters = {{"--values", "all", "which values"}},
         .quick = {{"--values", "blasius,van_der_pol_cycle,stiff_c5", ""}},
-        .seconds = 120,
+        .seconds = 60,
         .plan = plan,
         .offers = arithmetics::proved_too};
     return result;
