@@ -40,7 +40,7 @@ target_compile_definitions(libration-tests PRIVATE
     LIBRATION_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     LIBRATION_REFERENCE_DIR="${PROJECT_SOURCE_DIR}/tests/reference")
 if(LIBRATION_BUILD_COMMAND)
-    target_link_libraries(libration-tests PRIVATE libration-studies libration-claims libration-sweep)
+    target_link_libraries(libration-tests PRIVATE libration-program libration-studies libration-claims libration-sweep)
     target_compile_definitions(libration-tests PRIVATE LIBRATION_COMMAND="$<TARGET_FILE:libration-command>")
     add_dependencies(libration-tests libration-command)
     # The tables for C++ are compiled as by their users.

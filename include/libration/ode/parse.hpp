@@ -64,6 +64,10 @@ expression parse_condition(const equation_system& of, std::string_view text);
 /// condition as it would be accepted.
 void add_condition(conditions_at_times& to, const equation_system& of, std::string_view text);
 
+/// The unknown of the system or lower derivative, and the constant time, of a text such as x'(0); its value is 0. Throws
+/// error like parse().
+start parse_value_at_time(const equation_system& of, std::string_view text);
+
 /// A constant expression, as for a time or the value of a parameter: numbers, pi, functions, a number directly before
 /// pi or deg. Throws error like parse().
 expression parse_constant(std::string_view text);

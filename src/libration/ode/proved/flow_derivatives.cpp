@@ -82,7 +82,7 @@ state_derivatives derivatives_at_start(const opened_system& open) {
 // x'(0) as the name x' of the value that starts there.
 std::string name_of_start(const equation_system& given, const explicit_system& system, const std::string& typed) {
     try {
-        const start read = parse_point_condition(given, typed + " = 0");
+        const start read = parse_value_at_time(given, typed);
         if ((read.point.constant() - system.point()).sign() == 0) {
             return primed(read.of.name(), read.of.derivative());
         }

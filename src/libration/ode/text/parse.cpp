@@ -226,6 +226,21 @@ expression parse_condition(const equation_system& of, std::string_view text) {
     return with_values(reader.difference(reader.statements().front()), of);
 }
 
+start parse_value_at_time(const equation_system& of, std::string_view text) {
+    const std::string equation = std::string(text) + " = 0";
+    problem_reader reader(equation, of);
+    const auto& all = reader.statements();
+    if (all.size() == 1) {
+        reader.read_equality(all.front());
+    }
+    if (reader.result().starts.size() != 1) {
+        refuse(std::string(text), {}, "is not a value at a time: write one, as x'(0)");
+    }
+    start result = reader.result().starts.front();
+    result.point = with_values(result.point, of);
+    return result;
+}
+
 namespace {
 
 expression constant_in(std::string_view text, const known_names& names, formula_role role) {
