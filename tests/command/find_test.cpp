@@ -14,10 +14,18 @@ const words bratu{"find",        "--problem", "y'' = -e^y; y(0) = 0; y'(0) = 1/2
                   "--unknown",   "y'(0)",     "--such-that",
                   "y(0) = y(1)", "--digits",  "20"};
 
+// The rows of a command that also prints a line on stderr.
+std::vector<table_row> rows_with_a_remark(words line) {
+    line.insert(line.end(), {"--format", "csv"});
+    const auto done = run_libration(line);
+    REQUIRE(done.exit_code == 0);
+    return csv_rows(done.out);
+}
+
 }  // namespace
 
 TEST_CASE("several first guesses lead to several solutions", "[command][find]") {
-    const auto both = rows_of(bratu + words{"--guess", "y'(0)=0.5,1,10"});
+    const auto both = rows_with_a_remark(bratu + words{"--guess", "y'(0)=0.5,1,10"});
     REQUIRE(both.size() == 2);
     CHECK(both[0].at("solution") == "1");
     CHECK(both[0].at("value") == "0.54935272877527081902");
@@ -47,7 +55,7 @@ TEST_CASE("a branch is followed past its turning points", "[command][find]") {
     const words cubic{"find",      "--problem", "y' = k - 3*s + s^3; y(0) = 0; s = 2; k = 1",
                       "--unknown", "s",         "--such-that",
                       "y(1) = 0",  "--digits",  "15"};
-    const auto branch = rows_of(cubic + words{"--along", "k = -3:3:3", "--guess", "s=2"});
+    const auto branch = rows_with_a_remark(cubic + words{"--along", "k = -3:3:3", "--guess", "s=2"});
     REQUIRE(branch.size() == 7);
     CHECK(branch[0].at("branch") == "1");
     CHECK(branch[2].at("point") == "turning point");
@@ -78,7 +86,7 @@ TEST_CASE("what find does not accept is shown as it would be accepted", "[comman
     check_refused(given + words{"--along", "k=1"}, {"--along 'k=1'", "write \"k=1:LAST:11\""});
     check_refused(given + words{"--along", "k=0,2,1"}, {"--along 'k'", "in one direction"});
     check_refused(given + words{"--along", "y'(0)=0:1:3"}, {"--along", "leave it out there"});
-    check_refused({"find", "--problem", "lorenz", "--along", "r=0:1:3"}, {"--along", "--unknown"});
+    check_refused({"find", "--problem", "lorenz", "--along", "r=0:1:3"}, {"nothing to find", "--unknown"});
     check_refused({"find", "--problem", "van_der_pol", "--periodic", "--guess", "x(0)=1"}, {"--guess", "--set"});
 }
 

@@ -46,7 +46,8 @@ TEST_CASE("what the text leaves open is named with both remedies", "[command][no
                   {"--set 'e' at line 1, column 1 is Euler's number: write `e=3` in the problem for a parameter"});
     check_refused(reference_of("x' = x; x(0) = 1", {"--set", "t=3"}),
                   {"--set 't' at line 1, column 1 is the independent variable, which has no value: leave it out"});
-    check_refused(reference_of("dy/dx = x; x' = y"), {"differentiates by x, which is an unknown: give one of them another name"});
+    check_refused(reference_of("dy/dx = x; x' = y"),
+                  {"differentiates by x, which is an unknown: give one of them another name"});
 }
 
 TEST_CASE("problems prints a text in standard notation", "[command][notation]") {

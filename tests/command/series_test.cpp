@@ -123,8 +123,8 @@ TEST_CASE("series --out writes the tables and draws the figures", "[command][ser
                                     folder.path());
     INFO(done.err);
     REQUIRE(done.exit_code == 0);
-    for (const std::string name : {"values.csv", "errors.csv", "poles.csv", "ratios.csv", "radius.csv", "errors.svg", "errors.png",
-                                   "poles.svg", "domb_sykes.svg", "roots.png"}) {
+    for (const std::string name : {"values.csv", "errors.csv", "poles.csv", "ratios.csv", "radius.csv", "errors.svg",
+                                   "errors.png", "poles.svg", "domb_sykes.svg", "roots.png"}) {
         INFO(name);
         CHECK(std::filesystem::exists(folder.path() / "mine" / name));
     }

@@ -298,7 +298,8 @@ complaints unnamed_kinds(const house& all) {
 bool needs_flint(const std::string& path) {
     const auto folder = fs::path(path).parent_path().filename();
     return path == "include/libration/proved.hpp" ||
-           (path.starts_with("include/") && (folder == "ball" || folder == "proved" || folder == "rigorous"));
+           (path.starts_with("include/") &&
+            (folder == "ball" || folder == "proved" || folder == "rigorous" || folder == "certificate"));
 }
 
 complaints flint_includes(const house& all) {

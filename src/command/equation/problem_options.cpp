@@ -133,13 +133,13 @@ std::unique_ptr<libration::solution> problem_options::general_solution() const {
 
 namespace {
 
-// Whether the text of --set has several values: a comma or a colon outside of parentheses.
+// Whether the text of --set has several values: a comma or a colon outside of parentheses, and no further equation.
 bool is_list(std::string_view values) {
     int depth = 0;
-    return std::ranges::any_of(values, [&](char c) {
-        depth += c == '(' ? 1 : c == ')' ? -1 : 0;
-        return depth == 0 && (c == ',' || c == ':');
-    });
+    return values.find('=') == std::string_view::npos && std::ranges::any_of(values, [&](char c) {
+               depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+               return depth == 0 && (c == ',' || c == ':');
+           });
 }
 
 std::string trimmed(std::string_view text) {

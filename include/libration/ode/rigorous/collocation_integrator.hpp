@@ -32,10 +32,18 @@ public:
     /// The limit between slow and fast modes, from an eigenvalue times half of the length on.
     static constexpr double usual_slowest_fast = 3;
 
-    /// `more_terms` is added to the degree of the polynomials, for a second proof. Limits up to 8 keep more modes slow,
-    /// which loses less along chaotic solutions and more where fast modes are much faster.
-    collocation_integrator(const lifted_system& of, long bits, int more_terms = 0,
-                           double slowest_fast = usual_slowest_fast);
+    /// What loses least depends on the solution. Limits up to 8 keep more modes slow, and the scales of unknowns, whose
+    /// lower bounds are in proportion to the width of the set, may be smaller by some digits: both lose less along chaotic
+    /// solutions, and more where fast modes are much faster or unknowns decay.
+    struct tuning {
+        double slowest_fast = usual_slowest_fast;
+        double digits_below_width = 0;
+    };
+
+    /// `more_terms` is added to the degree of the polynomials, for a second proof.
+    collocation_integrator(const lifted_system& of, long bits, int more_terms, const tuning& by);
+    collocation_integrator(const lifted_system& of, long bits, int more_terms = 0)
+        : collocation_integrator(of, bits, more_terms, tuning()) {}
     ~collocation_integrator();
 
     /// From now on the tubes are those of this rule, which may change the polynomials before it proves them.

@@ -22,7 +22,6 @@ constexpr double largest_growth = 3;
 constexpr double smallest_growth = 0.3;
 constexpr double safety = 0.9;
 constexpr int most_rejections = 60;
-constexpr double digits_below_width = 4;
 
 std::vector<long double> rounded_constants(const polynomial_map& map) {
     const precision_scope scope(40);
@@ -45,12 +44,13 @@ std::vector<ball> enclosed_constants(const polynomial_map& map, long bits) {
 }  // namespace
 
 struct collocation_integrator::parts {
-    parts(const lifted_system& of, long bits, int more_terms, double slowest_fast)
+    parts(const lifted_system& of, long bits, int more_terms, const tuning& by)
         : map(of),
           accuracy(collocation_accuracy::for_bits(bits, more_terms)),
           constants(enclosed_constants(map, accuracy.product_bits)),
           guide(map, rounded_constants(map)) {
-        accuracy.slowest_fast = slowest_fast;
+        accuracy.slowest_fast = by.slowest_fast;
+        accuracy.digits_below_width = by.digits_below_width;
     }
 
     // The costly parts, needed for the first step.
@@ -62,10 +62,10 @@ struct collocation_integrator::parts {
         }
     }
 
-    // Scales so small that the errors of a step are small relative to the width of the set: with scales in proportion to
-    // a width that these errors determine, both would grow from step to step.
+    // The smallest scales: the errors of a step are then as many digits below the width of the set as the tuning states.
+    // Where errors determine the width, it grows from step to step without such a distance.
     std::vector<magnitude> floors() const {
-        const auto lower = static_cast<long>((accuracy.accepted - digits_below_width) * std::log2(10.));
+        const auto lower = static_cast<long>((accuracy.accepted - accuracy.digits_below_width) * std::log2(10.));
         std::vector<magnitude> result;
         for (std::size_t i = 0; i < map.size(); ++i) {
             result.push_back(set.reach(i).shifted(lower));
@@ -121,8 +121,8 @@ struct collocation_integrator::parts {
     int without_fast = 0;
 };
 
-collocation_integrator::collocation_integrator(const lifted_system& of, long bits, int more_terms, double slowest_fast)
-    : parts_(std::make_unique<parts>(of, bits, more_terms, slowest_fast)) {}
+collocation_integrator::collocation_integrator(const lifted_system& of, long bits, int more_terms, const tuning& by)
+    : parts_(std::make_unique<parts>(of, bits, more_terms, by)) {}
 collocation_integrator::~collocation_integrator() = default;
 
 void collocation_integrator::prove_by(tube_rule rule) { parts_->rule = std::move(rule); }

@@ -22,6 +22,7 @@ struct collocation_accuracy {
     long frame_bits = 0;      ///< of frames
     long product_bits = 0;    ///< of polynomials in powers of x
     double slowest_fast = 0;  ///< the limit between slow and fast modes (modes_of)
+    double digits_below_width = 0;  ///< of the smallest scales
 
     /// For values to so many bits.
     static collocation_accuracy for_bits(long bits, int more_terms);

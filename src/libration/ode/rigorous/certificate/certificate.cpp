@@ -25,6 +25,7 @@ constexpr double bits_of_digit = 3.3219281;
 // initial values as many again.
 constexpr long more_bits_of_bounds = 64;
 constexpr double large_slowest_fast = 8;
+constexpr double digits_below_width = 4;
 constexpr long worthwhile_bits = 10;
 
 using progress_callback = std::function<void(const ball& reached, long bits)>;
@@ -106,7 +107,7 @@ class certified_run {
 public:
     certified_run(const explicit_system& system, const lifted_system& form, const run_choice& choice)
         : form_(form),
-          integrator_(form, choice.bits, 0, choice.slowest_fast),
+          integrator_(form, choice.bits, 0, {choice.slowest_fast, digits_below_width}),
           map_(form),
           rounding_(choice.bits - guard_of_first_run, integrator_.bits() + more_bits_of_bounds) {
         bits_ = integrator_.bits() + 2L * integrator_.degree() + more_bits_of_bounds;
