@@ -21,6 +21,7 @@ TAIL = ODE + "proved/tail_bound.cpp"
 DECIMALS = "src/libration/digits/proved/proved_decimals.cpp"
 PRODUCT = "src/libration/scalar/ball/integer_product.cpp"
 SAKIADIS = KNOWN + "sakiadis.cpp"
+FLOW = ODE + "proved/flow_derivatives.cpp"
 COLLOCATION = ODE + "rigorous/collocation_integrator.cpp"
 MORE_BITS = "ends the attempt, and the next one has more bits; no test is so short of them there and not before"
 
@@ -67,6 +68,10 @@ ARGUED = {
         "steers a prediction, proves nothing: Newton's method has converged for each number of coefficients that is tested",
     (COLLOCATION, "auto proved = candidate ? rule(*proof, *candidate, set) : std::nullopt;"):
         "a frame has been found wherever Newton's method converged; without one the step is halved",
+    (FLOW, "if (problem.kind() != error_kind::argument) {"):
+        "the names that are asked for alone make the opening fail; another failure has to pass",
+    (FLOW, 'kept.bound = kept.decimal || !is_finite(value) ? "" : bound_text(value);'):
+        "an infinite map ends the march before; kept, because infinity has no text as a bound",
     (DISC, "if (!set_tail_) {"): "a set without values is seen before; kept, because no radius is no disc",
     (DISC, "if (!tail_) {"): "the centre lies in the set, whose radius holds; kept, because no bound is no proof",
     (CONDITIONS, "if (!is_finite(moved)) {"):
