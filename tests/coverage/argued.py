@@ -18,7 +18,11 @@ BOUNDS = ODE + "proved/radius_bounds.cpp"
 PLACE = ODE + "proved/proved_singularity.cpp"
 STEP = ODE + "proved/singular_step.cpp"
 TAIL = ODE + "proved/tail_bound.cpp"
-TRITRONQUEE = KNOWN + "painleve_1.cpp"
+DECIMALS = "src/libration/digits/proved/proved_decimals.cpp"
+PRODUCT = "src/libration/scalar/ball/integer_product.cpp"
+SAKIADIS = KNOWN + "sakiadis.cpp"
+FLOW = ODE + "proved/flow_derivatives.cpp"
+COLLOCATION = ODE + "rigorous/collocation_integrator.cpp"
 MORE_BITS = "ends the attempt, and the next one has more bits; no test is so short of them there and not before"
 
 ARGUED = {
@@ -55,6 +59,19 @@ ARGUED = {
     (KNOWN + "blasius.cpp", "for (int time = 8; time <= latest_time; time += 2) {"):
         "f'' falls like exp(-t^2/4): before t = 1000 it is below any precision that memory holds",
     (KNOWN + "blasius.cpp", "if (!state) {"): MORE_BITS,
+    (LIFTED, "const auto x = values.refusal_of(e.left()) ? std::nullopt : values.value_of(e.left()).fraction();"):
+        "equations whose right-hand side has no value at the start are rejected before; kept, because a value is taken",
+    (DECIMALS, "if (!decimal || !has_a_digit(*decimal)) {"):
+        "a decimal is less than a unit of its last digit away; kept, because what is printed here counts as proved",
+    (PRODUCT, "if (products_are_checked()) {"): "every product is checked as long as the tests run; no other program does so unasked",
+    (SAKIADIS, "for (int step = 0; step < most_steps; ++step) {"):
+        "steers a prediction, proves nothing: Newton's method has converged for each number of coefficients that is tested",
+    (COLLOCATION, "auto proved = candidate ? rule(*proof, *candidate, set) : std::nullopt;"):
+        "a frame has been found wherever Newton's method converged; without one the step is halved",
+    (FLOW, "if (problem.kind() != error_kind::argument) {"):
+        "the names that are asked for alone make the opening fail; another failure has to pass",
+    (FLOW, 'kept.bound = kept.decimal || !is_finite(value) ? "" : bound_text(value);'):
+        "an infinite map ends the march before; kept, because infinity has no text as a bound",
     (DISC, "if (!set_tail_) {"): "a set without values is seen before; kept, because no radius is no disc",
     (DISC, "if (!tail_) {"): "the centre lies in the set, whose radius holds; kept, because no bound is no proof",
     (CONDITIONS, "if (!is_finite(moved)) {"):
@@ -63,10 +80,26 @@ ARGUED = {
         "an unknown that is 0 has been moved by 0 exactly; kept for enclosures of it",
     (EVENTS, "if (open_) {"): "a monotone function does not turn: it says a mistake of the library",
     (EVENTS, "if (parts_.empty()) {"): "the zero of joined pieces is on one of them: it says a mistake of the library",
-    (ODE + "ball/start_sign.cpp", "for (std::size_t k = 0; k < form.leaves.size(); ++k) {"):
-        "every unknown of a condition is a leaf of the system",
-    (ODE + "rigorous/error_set.cpp", "if (!(norm <= magnitude(1U) / 4U)) {"):
-        "columns are orthogonal to the last of 64 bits; kept, because the bound of the inverse rests on it",
+    (EVENTS, "const bool narrow = no_use || p.is_narrow(march_.bits());"):
+        "in a piece so short the rounding of the value in the middle exceeds its change; kept, because the halving ends by it",
+    (EVENTS, "magnitude::radius_of(wide) * magnitude(2U) <= magnitude::radius_of(span);"):
+        "in a piece as short as the enclosure of the turn halving is of no use, which is found before",
+    (EVENTS, "(behind && known_sign(of_state(slope_, last * direction_)) != bent)) {"):
+        "a slope that is too wide to have a sign behind the turn has none before it, where it is asked for first",
+    (EVENTS, "if (sign != sign_) {"):
+        "the sign at the end of a piece is computed from the same enclosures as that on the next one, which begins there",
+    (EVENTS, "if (!place) {"): "as above: Newton's method excludes no zero at an end where the sign is not known",
+    (EVENTS, "const bool inside = exactly_less(p.from, place) && exactly_less(place, p.to);"):
+        "places are inside of their piece, unless the first cut has left a part without the second one",
+    (EVENTS, "const int sign = inside ? sign_at(place) : 0;"): "as above",
+    (EVENTS, "return cut(last) || before;"):
+        "g is known at three quarters where it is at one quarter, unless its enclosures are much wider there",
+    (EVENTS, "const auto is_beyond = [&](const ball& time) { return last && known_sign((time - *last) * direction_) > 0; };"):
+        "the pieces of an event found behind the end begin at the end or before it, and so does its enclosure",
+    (EVENTS, "if (event && is_beyond(event->time)) {"): "as above",
+    (MARCH, "if (choose_length() && !expand_set()) {"): "a set that has an expansion has one with more bits",
+    (MARCH, "if (collocation_->is_active() && collocation_->prepare() && !contains_zero(distance)) {"):
+        "sixty reductions have always led to a provable length; without one Taylor series continue",
     (SHOOTING, "if (difference == 0) {"): "steers the guess, proves nothing: two values that differ have missed differently",
     (SHOOTING, "if (mpfr_number_p(handle(value)) == 0) {"):
         "steers the guess: solutions from bad guesses end before, by an error",
@@ -76,29 +109,27 @@ ARGUED = {
     (ROOT, "if (bits_.now() <= bits) {"): "digits that fail ask for more bits themselves",
     (ROOT, "if (!is_finite(step[i])) {"): "maps that are not finite end their march before",
     (ROOT, "if (!inverse) {"): "the second time: the same derivative had an inverse in Newton's method",
-    (ROOT, "if (!over_box) {"): MORE_BITS,
     (ROOT, "if (!decimal) {"): MORE_BITS,
     (BOUNDS, "if (magnitude(length) < finest_ && magnitude(width) < finest_) {"): "cells become small in both ways together",
     (BOUNDS, "if (!certainly_less(ball(c.re * c.re + c.im * c.im), ball(cell.r1 * cell.r1))) {"):
         "the discs that are asked belong to cells that hold this one, with centres nearer to 0; theorem L needs it",
     (BOUNDS, "if (best == nullptr) {"): "the first disc always is nearer to 0; kept, because it is dereferenced",
-    (BOUNDS, "for (int k = 0; k < most_way_discs; ++k) {"): "ways are as long as the cell that leads to them",
     (BOUNDS, "if (!last && !certainly_less(ball(next.re * next.re + next.im * next.im), farthest)) {"):
         "a corner on a straight way is nearer to 0 than its farther end; rounding alone could make it not so",
     (BOUNDS, "if (certainly_not_zero(change)) {"): "where an unknown changes its contour integral has been told from 0 before",
-    (PLACE, "for (int attempt = 0; attempt < most_pole_attempts; ++attempt) {"):
-        "a pole in a loop is a zero within its reach, which the bits of the loop have shown every time",
+    (PLACE, "for (const unknown_function& each : system.unknowns()) {"):
+        "names in a message on several systems of which one is not covered, which takes minutes to find out",
+    (PLACE, 'names += (names.empty() ? "" : ", ") + each.name;'): "as above",
+    (PLACE, '(systems.size() > 1 ? ", proved; of " + joined_names(each.system) + " it is at least "'): "as above",
+    (PLACE, '(systems.size() > 1 ? ", proved" : ", both proved") + "; more is not: " + found.reason);'): "as above",
+    (PLACE, "last ? most_loop_attempts : 2, route);"):
+        "a singularity of a map that no loop shows, with up to eight times the digits: the maps alone take minutes",
+    (PLACE, "if (last) {"): "as above",
     (PLACE, "if (problem.kind() != error_kind::undecided) {"): "no way is refused for another reason; another one has to pass",
     (PLACE, "return one_zero && (regular->order() == 1 || certainly_not_zero(regular->factor(time_at(within), over)));"):
         "the factor is 2 a2/3 at a pole, and the reach small; kept, because a zero of p alone is no pole",
     (STEP, "if (bound) {"): "a radius among those that are tried has held for every start; kept, because no bound is no proof",
     (STEP, "if (refusal.kind() == error_kind::argument) {"): "no start is refused for another reason; another one has to pass",
-    (TAIL, '[[noreturn]] static void refuse() { throw std::logic_error("theorem T takes products and sums alone"); }'):
-        "lifted systems have no other steps: it says a mistake of the program",
     (TAIL, "if (!std::ranges::all_of(next, [](const magnitude& each) { return each.is_finite(); })) {"):
         "magnitudes have no largest exponent: infinity comes from balls alone, which are refused before",
-    (TRITRONQUEE,
-     "if (!certainly_less(ball(5) / 8, s) || !certainly_less(ball(kappa * h + steep * h * h + defect), ball(s * h))) {"):
-        "it holds from X = 1 on for the terms that fall; kept, because the lemma rests on it",
-    (TRITRONQUEE, "if (!state) {"): MORE_BITS,
 }

@@ -44,6 +44,7 @@ TESTS = """
     ode/proved/error_set_test.cpp ode/proved/proved_events_test.cpp
     ode/proved/event_laws_test.cpp ode/proved/lifted_collocation_test.cpp ode/proved/lifted_set_test.cpp
     ode/proved/proof_route_test.cpp ode/proved/proved_march_test.cpp ode/proved/proved_root_test.cpp
+    ode/proved/proved_singularity_test.cpp ode/proved/flow_derivatives_test.cpp
     ode/proved/radius_bounds_test.cpp ode/proved/scale_test.cpp ode/proved/singular_step_test.cpp
     ode/proved/stiff_test.cpp ode/proved/tail_bound_test.cpp
     problem/far_behaviour_test.cpp problem/known/conditions_at_infinity_test.cpp problem/known/painleve_1_test.cpp

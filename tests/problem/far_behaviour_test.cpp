@@ -40,6 +40,9 @@ TEST_CASE("the numbers of far behaviours are those in print", "[problem][asympto
     check(of("falkner_skan"), "s", "0.927680039836653");  // [Belden2020], figure 2
     check(of("falkner_skan", {"b = 0", "s = 0.47"}), "s", "0.469599988361");
     check(of("falkner_skan", {"b = -0.12", "s = -0.143"}), "s", "-0.1429351943576");  // the reversed branch
+    // The same branch nearer to b = 0, whose interval near rest is longer: T. Cebeci, H. B. Keller, J. Comput. Phys. 7
+    // (1971) 289-300.
+    check(of("falkner_skan", {"b = -0.05", "s = -0.1083"}), "s", "-0.108271");
     check(of("flierl_petviashvili"), "w0", "2.391956403224");
     check(of("sir"), "S(inf)", "76.0563587702");
     check(of("rayleigh"), "collapse", "0.9146813565");

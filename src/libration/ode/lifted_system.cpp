@@ -201,8 +201,12 @@ private:
 function::analytic_form form_of(const expression& e) {
     return function::with_function(e.function(), [&](auto of) {
         using each = decltype(of);
-        return function::ordered<each> && !function::is_whole(e.order()) ? function::analytic_form::several_values
-                                                                         : each::form;
+        if constexpr (function::ordered<each>) {
+            if (!function::is_whole(e.order())) {
+                return function::analytic_form::several_values;
+            }
+        }
+        return each::form;
     });
 }
 
@@ -224,8 +228,7 @@ bool is_entire(const expression& whole) {
                 const auto exponent = e.right().fraction();
                 return done.at(e.left()) && exponent && denominator(*exponent) == 1 && *exponent >= 0;
             }
-            case node_kind::function:
-                return e.is_constant() || (form_of(e) == function::analytic_form::entire && done.at(e.left()));
+            case node_kind::function: return form_of(e) == function::analytic_form::entire && done.at(e.left());
             case node_kind::constant:
             case node_kind::variable:
             case node_kind::unknown:

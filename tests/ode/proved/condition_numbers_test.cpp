@@ -93,6 +93,32 @@ TEST_CASE("condition numbers of a stiff equation settle with more bits", "[ode][
     check_three_digits(states[1].moved[0].by_time, mpfr(sin(mpfr(0.5)) / 2));
 }
 
+// y = 1 + (y(0) - 1) cos t depends on y(0) by cos t, which is below 1e-39 at the first time and about 1e-17 at the second
+// one. There the rounding of 4/3 to a double moves y by less than 64 bits of the flow tell, and by more than 1e-40.
+TEST_CASE("effects that are negligible are 0, and others settle with more bits", "[ode][proved][condition]") {
+    const precision_scope scope(60);
+    const auto moved = [](const std::string& start, const std::string& time, long digits) {
+        const auto system = ode::parse("y'' = 1 - y; y'(0) = 0; y(0) = " + start);
+        return ode::proved_conditions(system, numbers({time}), digits).front().moved;
+    };
+    const auto at_quarter = moved("2", "1.5707963267948966192313216916397514420986", 20);
+    CHECK(at_quarter[0].by_start == 0);
+    CHECK(at_quarter[0].by_rounding == 0);
+    check_three_digits(at_quarter[0].by_time, mpfr(pi<mpfr>() / 2));
+    check_three_digits(at_quarter[1].by_start, mpfr(2));
+    const std::string near = "1.5707963267948966";
+    const auto beside = moved("4/3", near, 30);
+    const mpfr cosine = abs(cos(mpfr(near)));
+    check_three_digits(beside[0].by_start, mpfr(cosine * 4 / 3));
+    check_three_digits(beside[0].by_rounding, mpfr(cosine * abs(mpfr(mpfr(4.0 / 3.0) - mpfr(4) / 3))));
+}
+
+TEST_CASE("the effects on one unknown need those that it depends on alone", "[ode][proved][condition]") {
+    const auto system = ode::parse("x' = -x; y' = y^2 + x; x(0) = 1; y(0) = 1");
+    CHECK(ode::dependence(system, {"x"}).names() == std::vector<std::string>{"x"});
+    CHECK(ode::dependence(system, {"y"}).names() == std::vector<std::string>{"x", "y"});
+}
+
 // A value that is exactly 0 has no digits, and nobody asks for those of a parameter.
 TEST_CASE("a parameter that is 0 does not move a solution", "[ode][proved][condition]") {
     const precision_scope scope(40);

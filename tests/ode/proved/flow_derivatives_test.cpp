@@ -144,6 +144,22 @@ TEST_CASE("a derivative that is 0 for another reason has a bound", "[ode][proved
     check_digits(by[1], exp(mpfr(1)), 20);
 }
 
+// y = 1 + (y(0) - 1) cos t: dy/dy(0) is 0 at pi/2, about 1e-24 next to it, and dy'/dy(0) is -1 there.
+TEST_CASE("a derivative that is not told from 0 is missing, and a small one has its digits",
+          "[ode][proved][derivatives]") {
+    const precision_scope scope(60);
+    const std::string problem = "y'' = 1 - y; y(0) = 2; y'(0) = 0";
+    const auto found = ode::proved_derivatives(ode::parse(problem), times_of({"pi/2"}), {"y(0)"}, 20);
+    REQUIRE(found.trajectory.missing);
+    CHECK_THAT(found.trajectory.missing->what(), Catch::Contains("is not distinguished from 0"));
+    const auto& by = found.by.front();
+    CHECK_FALSE(by[0][0].decimal);
+    CHECK(mpfr(by[0][0].bound) < mpfr("1e-20"));
+    check_near(by[1][0], mpfr(-1), 20);
+    const std::string near = "1.57079632679489661923132";
+    check_digits(at(problem, near, {"y(0)"}, 20)[0][0], cos(mpfr(near)), 20);
+}
+
 // t y'' + 2 y' + q^2 t y = 0 from y = p: y = p sin(qt)/(qt).
 TEST_CASE("derivatives from a singular initial point", "[ode][proved][derivatives]") {
     const precision_scope scope(50);

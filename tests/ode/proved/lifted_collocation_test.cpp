@@ -6,6 +6,7 @@
 
 #include "libration/ode/parse.hpp"
 #include "libration/ode/proved/proved_trajectory.hpp"
+#include "libration/ode/rigorous/collocation_integrator.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "proved.hpp"
@@ -98,6 +99,59 @@ TEST_CASE("a trial of collocation in vain does not take longer than the steps of
     REQUIRE(state);
     CHECK(overlaps(state->front(), ball_of("sqrt(1/40 + 2^(-54))")));
     CHECK(march.collocation().steps == 0);
+}
+
+// u = 1/(1 + t), from lengths that are too short and much too long; no length of 2^-60 of 1e30 ends before the pole of
+// 1/(1 - t).
+TEST_CASE("a step of collocation has a length with which it is proved", "[ode][proved]") {
+    const precision_scope scope(80);
+    const tube_set start{{{ball(1)}, error_set({}, {}, {}, {magnitude()})}, 0};
+    collocation_integrator decay(lifted(system_of("u' = -u^2; u(0) = 1")), bits);
+    for (const char* length : {"1/1024", "1000"}) {
+        CAPTURE(length);
+        decay.begin(ball(0), start, ball_of(length));
+        REQUIRE(decay.prepare());
+        CHECK(decay.prepare());
+        const ball half = decay.length() / 2;
+        CHECK(certainly_less(ball(0), half));
+        CHECK(encloses(decay.values_at(half).front(), ball(1) / (ball(1) + half)));
+    }
+    collocation_integrator growth(lifted(system_of("u' = u^2; u(0) = 1")), bits);
+    growth.begin(ball(0), start, ball_of("1e30"));
+    CHECK_FALSE(growth.prepare());
+}
+
+// y = exp(-t), z = 1 - exp(-t), over 32 times the length: y is reduced by 3 percent, and to 1e-14; y = 1 - t to 2^-30.
+TEST_CASE("a solution is smooth if no unknown decays and all numbers are those of long double", "[ode][proved]") {
+    const precision_scope scope(80);
+    const collocation_integrator by(lifted(system_of("y' = -y; z' = y; y(0) = 1; z(0) = 0")), bits);
+    const auto smooth = [&](const ball& y, const ball& z, const ball& length) {
+        return by.is_smooth_over(ball(0), {y, z}, length);
+    };
+    const ball huge = ldexp(ball(1), 20'000);
+    const ball tiny = ldexp(ball(1), -20'000);
+    const ball part = ldexp(ball(1), -10);
+    CHECK(smooth(ball(1), ball(0), part));
+    CHECK_FALSE(smooth(ball(1), ball(0), ball(1)));
+    CHECK_FALSE(smooth(ball(1), tiny, part));
+    CHECK_FALSE(smooth(ball(1), huge, part));
+    CHECK_FALSE(smooth(ball(1), ball(0), huge));
+    CHECK_FALSE(smooth(ball(1), ball(0), tiny));
+    const collocation_integrator line(lifted(system_of("y' = -z; z' = 0; y(0) = 1; z(0) = 1")), bits);
+    CHECK(line.is_smooth_over(ball(0), {ball(1), ball(1)}, ball(1) / 64));
+    CHECK_FALSE(line.is_smooth_over(ball(0), {ball(1), ball(1)}, (ball(1) - ldexp(ball(1), -30)) / 32));
+}
+
+// The state at the beginning of the present step ends the collocation, which has proved it.
+TEST_CASE("values are asked for where a step of collocation begins", "[ode][proved]") {
+    const precision_scope scope(80);
+    proved_march march(system_of("y' = -1e6*(y - cos(t)) - sin(t); y(0) = 2"), bits);
+    REQUIRE(march.at(number(rational(10))));
+    REQUIRE(march.collocation().steps > 0);
+    const ball time = march.reached();
+    const auto state = march.at(time);
+    REQUIRE(state);
+    CHECK(encloses(state->front(), cos(time)));
 }
 
 TEST_CASE("each step that is used is reported once, in order", "[ode][proved]") {

@@ -140,6 +140,25 @@ TEST_CASE("the start is an event where that is asked for", "[ode][proved][events
     CHECK(proved_events(explicit_system(system), request, 20).front().time.text != "2.0000000000000000000");
 }
 
+// y = t from elsewhere, y = t^2 from rest, and y = 1 - t.
+TEST_CASE("the start is no event, one that touches 0, and one that falls", "[ode][proved][events]") {
+    const auto first = [](const std::string& text, const std::string& condition, crossing way) {
+        const auto system = parse(text);
+        event_request request;
+        request.g = parse_condition(system, condition);
+        request.from_start = true;
+        request.way = way;
+        request.before = number(rational(2));
+        const auto report = searched_events(explicit_system(system), request, 20);
+        return report.events.empty() ? std::string() : report.events.front().time.text;
+    };
+    CHECK(first("y' = 1; y(0) = 0", "y = 1", crossing::any) == "1.0000000000000000000");
+    CHECK(first("y'' = 2; y(0) = 0; y'(0) = 0", "y = 0", crossing::any) == "0");
+    CHECK(first("y'' = 2; y(0) = 0; y'(0) = 0", "y = 0", crossing::up).empty());
+    CHECK(first("y' = -1; y(0) = 1", "y = 1", crossing::down) == "0");
+    CHECK(first("y' = -1; y(0) = 1", "y = 1", crossing::up).empty());
+}
+
 TEST_CASE("events are certainly before the end, or refused with their bounds", "[ode][proved][events]") {
     const auto system = parse("y'' = -y; y(0) = 0; y'(0) = 1");
     const auto found = [&](const std::string& condition, const std::string& end, long count) {

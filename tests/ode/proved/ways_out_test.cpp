@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "libration/ode/ball/step_pieces.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/ode/proved/condition_numbers.hpp"
 #include "libration/ode/proved/event_search.hpp"
@@ -34,6 +35,25 @@ explicit_system typed(const std::string& text) { return explicit_system(parse(te
 number time_of(const std::string& text) { return parse_constant(text).constant(); }
 
 ball about(const ball& x, long exponent) { return widened(x, magnitude::of(1, exponent)); }
+
+constexpr long bits_of_flows = 100;
+
+// Two flows with z w = 1.
+explicit_system flows() { return typed("z' = -z; w' = w; z(0) = 1; w(0) = 1"); }
+
+// The end of a quarter of the first step of a search for events of the flows, exactly.
+rational part_of_first_step(int quarters) {
+    proved_march march(flows(), bits_of_flows);
+    const proved_step* const step = march.prepare();
+    REQUIRE(step != nullptr);
+    const precision_scope scope(decimal_digits(bits_of_flows));
+    const mpfr distance = midpoint_of(exact_multiple(step->length().exact(), static_cast<unsigned long>(quarters), -2));
+    rational time;
+    mpfr_get_q(time.backend().data(), handle(distance));
+    return time;
+}
+
+rational before_by_70_bits(const rational& time) { return time * (1 - rational(1, pow(integer(2), 70U))); }
 
 }  // namespace
 
@@ -66,6 +86,21 @@ TEST_CASE("a march says how far it is", "[ode][proved]") {
     CHECK(calls > 0);
 }
 
+TEST_CASE("a march with many bits says how far it is after every step", "[ode][proved]") {
+    long calls = 0;
+    proved_march march(typed("y' = -y^2; y(0) = 1"), 4200, [&](const ball&, long) { ++calls; });
+    REQUIRE(march.at(time_of("2")));
+    CHECK(march.steps() == calls);
+    CHECK(calls > 0);
+}
+
+// y = 0 at all times, beside a z that may be 0.
+TEST_CASE("an equilibrium is not marched in a set where its equation has no value", "[ode][proved]") {
+    proved_march march(typed("y' = y/z; z' = 0; y(0) = 0; z(0) = 1"), {ball(0), about(ball(1), 1)}, 120);
+    CHECK_FALSE(march.at(ball(1)));
+    CHECK(march.end() == march_end::precision);
+}
+
 // x' = 1/y at y = 0, about it, and so near that the set reaches 0.
 TEST_CASE("a march ends where a quotient has no value", "[ode][proved]") {
     const auto system = typed("y' = 1/y; x' = 0; y(0) = 1; x(0) = 1");
@@ -80,30 +115,88 @@ TEST_CASE("a march ends where a quotient has no value", "[ode][proved]") {
     CHECK(end_from(about(pow(ball(2), -60), -59)) == march_end::precision);
 }
 
-// y = t - c with the zero c at the end of a quarter of the first step: it is on both sides of it, and counted once.
+// t = c with c at the end of a quarter of the first step: it is on both sides of it, and counted once.
 TEST_CASE("an event between two pieces of a step is one", "[ode][proved]") {
-    constexpr long bits = 100;
-    proved_march march(typed("y' = 1 + z; z' = -z; y(0) = 0; z(0) = 1"), bits);
-    const proved_step* const step = march.prepare();
-    REQUIRE(step != nullptr);
-    for (const int part : {1, 2, 3}) {
-        const precision_scope scope(decimal_digits(bits));
-        const ball distance = exact_midpoint(step->length().exact() * part / 4);
-        mpq_t exactly;
-        mpq_init(exactly);
-        mpfr_get_q(exactly, handle(midpoint_of(distance)));
-        rational time;
-        mpq_set(time.backend().data(), exactly);
-        mpq_clear(exactly);
-        const auto system = parse("y' = 1 + z; z' = -z; y(0) = 0; z(0) = 1");
-        const ode::expression g = variable() - ode::expression(time);
-        event_search search(explicit_system(system), g, bits);
+    for (const int part : {1, 2, 3, 4}) {
+        const rational time = part_of_first_step(part);
+        event_search search(flows(), variable() - ode::expression(time), bits_of_flows);
+        const precision_scope scope(decimal_digits(bits_of_flows));
         const auto first = search.next(crossing::any, std::nullopt);
         REQUIRE(first);
-        CHECK(overlaps(first->time, distance));
-        const number end = number(rational(time * 8));
-        CHECK_FALSE(search.next(crossing::any, end));
+        CHECK(contains(first->time, from_rational<ball>(time)));
+        CHECK_FALSE(search.next(crossing::any, number(rational(time * 8))));
+        CHECK(search.end() == search_end::time);
     }
+}
+
+// The same with z w - 1 = 0 added, which is known to the working precision alone, and c moved by less and more than that.
+TEST_CASE("an event next to the end of a piece is one", "[ode][proved]") {
+    const auto noise = unknown("z") * unknown("w") - ode::expression(1);
+    for (const int part : {1, 4}) {
+        const rational time = part_of_first_step(part);
+        for (const unsigned exponent : {80U, 96U, 100U, 104U, 108U, 112U, 120U, 140U}) {
+            for (const int side : {-1, 1}) {
+                CAPTURE(part, exponent, side);
+                const rational moved = time * (1 + rational(side, pow(integer(2), exponent)));
+                const precision_scope scope(100);  // in which the truth is exact
+                event_search search(flows(), variable() - ode::expression(moved) + noise, bits_of_flows);
+                const auto first = search.next(crossing::any, std::nullopt);
+                REQUIRE(first);
+                CHECK(contains(first->time, from_rational<ball>(moved)));
+                CHECK(first->way == crossing::up);
+                CHECK_FALSE(search.next(crossing::any, number(rational(time * 8))));
+                CHECK(search.end() == search_end::time);
+                // Searched to c alone, it is none if it certainly comes later.
+                event_search until(flows(), variable() - ode::expression(moved) + noise, bits_of_flows);
+                const auto before = until.next(crossing::any, number(time));
+                CHECK((before || side > 0));
+                CHECK((!before || overlaps(before->time, first->time)));
+            }
+        }
+    }
+}
+
+// (t - c)^2 = d^2 about a turn c at the end of a quarter of the first step, and before it by less than 20 digits tell.
+TEST_CASE("a condition turns between two pieces of a step", "[ode][proved]") {
+    for (const int part : {1, 4}) {
+        for (const rational& turn : {part_of_first_step(part), before_by_70_bits(part_of_first_step(part))}) {
+            for (const unsigned exponent : {20U, 60U}) {
+                CAPTURE(part, turn, exponent);
+                const rational away = turn / pow(integer(2), exponent);
+                const auto from_turn = variable() - ode::expression(turn);
+                event_search search(flows(), from_turn * from_turn - ode::expression(rational(away * away)),
+                                    bits_of_flows);
+                const precision_scope scope(100);  // in which the truth is exact
+                for (const int side : {-1, 1}) {
+                    const auto found = search.next(crossing::any, std::nullopt);
+                    REQUIRE(found);
+                    CHECK(contains(found->time, from_rational<ball>(rational(turn + side * away))));
+                    CHECK(found->way == (side < 0 ? crossing::down : crossing::up));
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("a search ends at the end of its first step", "[ode][proved]") {
+    const rational time = part_of_first_step(4);
+    event_search search(flows(), variable() - ode::expression(rational(time * 2)), bits_of_flows);
+    CHECK_FALSE(search.next(crossing::any, number(time)));
+    CHECK(search.end() == search_end::time);
+}
+
+// y = (a - b) t with a - b of about 1e-64: 100 bits do not tell its sign after the start, 400 bits do.
+TEST_CASE("a slope that is not told from 0 leaves what follows a start undecided", "[ode][proved]") {
+    const auto system = typed(
+        "y' = a - b; a' = 0; b' = 0; y(0) = 0; a(0) = pi; "
+        "b(0) = 3.141592653589793238462643383279502884197169399375105820974944592");
+    const auto end = [&](long bits) {
+        event_search search(system, unknown("y"), bits);
+        CHECK_FALSE(search.next(crossing::any, number(rational(1))));
+        return search.end();
+    };
+    CHECK(end(100) == search_end::undecided);
+    CHECK(end(400) == search_end::time);
 }
 
 TEST_CASE("events about a singular start", "[ode][proved][singular]") {

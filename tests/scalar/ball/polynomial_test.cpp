@@ -317,6 +317,23 @@ TEST_CASE("a whole product is that of its coefficients, alone and for long seque
     }
 }
 
+// Exponents beyond those of blocks, in either factor.
+TEST_CASE("a whole product has terms of any size", "[ball_polynomial][ball]") {
+    const precision_scope scope(20);
+    const ball huge = ldexp(ball(1), 1'000'000'000);
+    const auto a = sines(1, 200);
+    auto b = sines(2, 200);
+    b[150] = huge;
+    const auto c = whole_product(a, b);
+    const auto d = whole_product(b, a);
+    for (std::size_t n = 0; n < 200; ++n) {
+        const ball expected = scalar_traits<ball>::sum_of_products(a.data(), 1, &b[n], -1, static_cast<int>(n) + 1);
+        CHECK(overlaps(c[n], expected));
+        CHECK(overlaps(d[n], expected));
+    }
+    CHECK(certainly_less(abs(c[150] - a[0] * huge), huge * pow(ball(10), -15)));
+}
+
 TEST_CASE("a whole quotient times its divisor is what was divided", "[ball_polynomial][ball]") {
     for (const long asked : {20L, 300L}) {
         const precision_scope scope(asked);

@@ -99,8 +99,6 @@ public:
     long steps() const { return steps_; }
     /// The initial number of bits.
     long bits() const { return bits_; }
-    /// A bound of the set, |x_i - c_i|.
-    magnitude width() const;
     /// Where collocation was used.
     const collocation_use& collocation() const;
 

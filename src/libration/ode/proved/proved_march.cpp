@@ -71,14 +71,6 @@ proved_march::proved_march(const explicit_system& system, const std::vector<ball
     set_.errors = error_set(std::move(widths));
 }
 
-magnitude proved_march::width() const {
-    magnitude result;
-    for (std::size_t i = 0; i < set_.centre.size(); ++i) {
-        result = std::max(result, set_.reach(i));
-    }
-    return result;
-}
-
 const proved_step* proved_march::stopped(march_end why) {
     end_ = why;
     return nullptr;

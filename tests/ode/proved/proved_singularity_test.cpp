@@ -1,0 +1,58 @@
+// Singularities of several unknowns, and poles whose order is not proved, against closed forms.
+#include "libration/ode/proved/proved_singularity.hpp"
+
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "libration/ode/parse.hpp"
+#include "libration/scalar/ball/functions.hpp"
+#include "libration/scalar/ball/predicates.hpp"
+#include "proved.hpp"
+
+namespace ode_proved_proved_singularity_test {
+
+using namespace libration;
+using namespace libration::ode;
+
+namespace {
+
+explicit_system typed(const std::string& text) { return explicit_system(parse(text)); }
+
+ball squared_modulus(const complex_ball& z) { return z.re * z.re + z.im * z.im; }
+
+}  // namespace
+
+// x = 1/(1 - t) and y = -log(1 - t), whose integral along a loop about 1 from s is 2 pi i (s - 1), up to its sign.
+TEST_CASE("singularities are proved for the unknowns that they were found for", "[ode][proved][singularity]") {
+    const precision_scope scope(40);
+    auto found = singularities_of(typed("x' = x^2; x(0) = 1"), {.within = 2, .digits = 20}).all;
+    REQUIRE(found.size() == 1);
+    found.push_back(found.front());
+    found[0].unknown = 0;
+    found[1].unknown = 1;
+    const auto proved = prove_singularities(typed("y' = x; x' = x^2; y(0) = 0; x(0) = 1"), found, 10);
+    REQUIRE(proved.size() == 2);
+    CHECK(proved[0].refusal.empty());
+    CHECK(proved[0].evidence.unknown == 0);
+    CHECK(proved[0].evidence.power == 0);
+    const complex_ball radius = proved[0].evidence.polygon.front() - complex_ball(1);
+    const ball turn = pi<ball>() * 2;
+    CHECK(overlaps(squared_modulus(proved[0].evidence.value), turn * turn * squared_modulus(radius)));
+    CHECK(proved[1].refusal.empty());
+    CHECK(proved[1].evidence.unknown == 1);
+    CHECK(overlaps(squared_modulus(proved[1].evidence.value), turn * turn));
+    CHECK(proved[1].pole_order == 1);
+}
+
+// y = t/(1 - t): half way from -1 to the pole at 1 lies its zero, where 1/y has no value with any number of bits.
+TEST_CASE("a pole is proved without its order where regular coordinates have no value", "[ode][proved][singularity]") {
+    const precision_scope scope(40);
+    const explicit_system system = typed("y' = (1 + y)^2; y(0) = 0");
+    auto found = singularities_of(system, {.within = 2, .digits = 20}).all.front();
+    CHECK(prove_singularity(system, found, mpfr("1e-10")).pole_order == 1);
+    found.offset = {mpfr(1), mpfr(0)};
+    found.path = {{-1, 0}};
+    CHECK(prove_singularity(system, found, mpfr("1e-10")).pole_order == 0);
+}
+
+}  // namespace ode_proved_proved_singularity_test
