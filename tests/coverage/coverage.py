@@ -49,6 +49,7 @@ TESTS = """
     ode/proved/stiff_test.cpp ode/proved/tail_bound_test.cpp
     problem/far_behaviour_test.cpp problem/known/conditions_at_infinity_test.cpp problem/known/painleve_1_test.cpp
     ode/proved/ways_out_test.cpp ode/singularity/regular_coordinates_test.cpp
+    ode/proved/solution_branch_test.cpp problem/known/kepler_test.cpp
 """.split()
 
 
