@@ -81,7 +81,7 @@ const std::map<std::string, example_pair>& examples() {
         {"cite", {"cite", "cite | grep title"}},
         {"find",
          {"find --problem \"y' = k*y; y(0) = 1; k = 1\" --unknown k --such-that \"y(1) = 3\"",
-          "find --problem \"y'=k-3s+s^3; y(0)=0; s=2; k=-2\" --unknown s --such-that \"y(1)=0\" --along k=-2:2:3"}},
+          "find --problem \"y''=-e^y; y(0)=0; y'(0)=1/2\" --unknown \"y'(0)\" --such-that \"y(0)=y(1)\""}},
         {"problems", {"problems", "problems lorenz"}},
         {"singularities",
          {"singularities --problem \"x' = 1 + x^2; x(0) = 0\"", "singularities --problem painleve_1 --within 3"}}};

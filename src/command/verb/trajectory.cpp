@@ -152,7 +152,8 @@ partial_table trajectory_of_problem(const trajectory_options& options) {
         });
     }
     const auto times = times_of_problem(options.times);
-    const auto of = options.problem.solution(options.method == "taylor" || options.integrator.integrates());
+    const bool fixed = numbers.scalar.kind != scalar_kind::proved && numbers.scalar.kind != scalar_kind::arbitrary;
+    const auto of = options.problem.solution(fixed || options.method == "taylor" || options.integrator.integrates());
     progress shown("trajectory", progress_of_part::steps);
     progress_of_part to(shown);
     return naming_option("--problem", [&] {
