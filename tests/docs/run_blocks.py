@@ -200,6 +200,7 @@ class Runner:
         # The pages name files of the repository: copies, for a block may write.
         for name in ("readers", "examples"):
             shutil.copytree(ROOT / "docs" / name, self.folder / "docs" / name)
+        shutil.copytree(ROOT / "check", self.folder / "check")
         self.python = None
         prefix = options.prefix
         self.environment = dict(
