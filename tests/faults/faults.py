@@ -444,6 +444,7 @@ FAULTS = [
         ROOM + "scalar/ball/decimal.hpp", ["ode/proved/scale_test.cpp"],
         ("a bound of another size", "parts_of(midpoint_of(largest * (ball(1) + pow(ball(2), -40L))), 3, MPFR_RNDU).text();",
          "parts_of(midpoint_of(largest * ball(0) + 1), 3, MPFR_RNDU).text();"),
+        sources=["src/libration/ode/proved/proved_trajectory.cpp"],
     ),
     *in_file(
         "src/libration/ode/proved/complex_disc.cpp", [DISCS],
