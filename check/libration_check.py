@@ -442,7 +442,7 @@ def main():
     try:
         print("Proved:\n" + check(zlib.decompress(open(sys.argv[1], "rb").read()).decode()))
     except Exception as reason:                        # Refused, or not a text of the format
-        print("Not proved: %s" % (reason if isinstance(reason, Refused) else "not a certificate, %r" % reason))
+        print("Not proved: %s" % (reason if isinstance(reason, (Refused, OSError)) else "not a certificate, %r" % reason))
         return 1
     return 0
 
