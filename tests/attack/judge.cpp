@@ -77,9 +77,7 @@ double rough(const truth& exact) {
 
 void outcome::add(verdict v, const std::string& statement) {
     ++counts[static_cast<std::size_t>(v)];
-    if (v == verdict::wrong || v == verdict::undecided) {
-        messages.push_back(statement);
-    }
+    statements.emplace_back(v, statement);
 }
 
 verdict judged(const proved_decimal& printed, long digits, const truth& exact) {

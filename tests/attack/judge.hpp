@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "libration/scalar/mpfr.hpp"
@@ -34,7 +35,7 @@ inline constexpr std::size_t verdicts = 4;
 struct outcome {
     std::string command;  ///< to be pasted into a shell
     std::array<long, verdicts> counts{};
-    std::vector<std::string> messages;  ///< of the wrong and undecided ones
+    std::vector<std::pair<verdict, std::string>> statements;
 
     void add(verdict v, const std::string& statement);
     long count(verdict v) const { return counts[static_cast<std::size_t>(v)]; }

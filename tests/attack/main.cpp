@@ -1,7 +1,7 @@
 // libration-attack motions [VALUES [SEED [THREADS]]]     random motions of the pendulum and elliptic functions
 // libration-attack print [VALUES]                        values of motions as CSV, for by_integers.py
 // libration-attack statements [QUESTIONS [SEED [THREADS]]]  statements about problems with closed forms
-// libration-attack statement INDEX [SEED]                one of these questions
+// libration-attack statement INDEX [SEED]                one of these questions, and its statements
 // Exits with status 1 if a proved statement is false; 2 for wrong usage.
 #include <fmt/core.h>
 

@@ -19,6 +19,16 @@ namespace {
 constexpr auto longest_question = std::chrono::seconds(120);
 constexpr long shares = 1000;
 
+const char* name_of(verdict v) {
+    switch (v) {
+        case verdict::right: return "right";
+        case verdict::refused: return "refused";
+        case verdict::wrong: return "false";
+        case verdict::undecided: return "undecided";
+    }
+    return "";
+}
+
 // The counts of a kind.
 struct kind_counts {
     long questions = 0;
@@ -30,6 +40,17 @@ public:
     attack_run(long questions, unsigned long seed)
         : questions_(questions), seed_(seed), counts_(statement_kinds().size()) {}
 
+    // One question by itself, with all of its statements.
+    void print_question(long index) {
+        const std::size_t which = kind_of(index);
+        const outcome result = answered(which, index);
+        fmt::print("{}: {}\n", statement_kinds()[which].name, result.command);
+        for (const auto& [given, statement] : result.statements) {
+            fmt::print("  {}: {}\n", name_of(given), statement);
+        }
+        failed_ = result.count(verdict::wrong) > 0;
+    }
+
     void work() {
         for (long i = next_++; i < questions_; i = next_++) {
             ask(i);
@@ -39,17 +60,7 @@ public:
 
     void ask(long index) {
         const std::size_t which = kind_of(index);
-        const statement_kind& kind = statement_kinds()[which];
-        choices next(seed_ * 1'000'000'007UL + static_cast<unsigned long>(index));
-        outcome result;
-        try {
-            result = kind.ask(next);
-        } catch (const std::exception& problem) {
-            result.command = announced_command();
-            result.add(verdict::wrong, std::string("ends by an exception: ") + problem.what());
-        }
-        announce("");
-        note(which, index, result);
+        note(which, index, answered(which, index));
     }
 
     bool succeeded() const { return !failed_; }
@@ -103,6 +114,19 @@ public:
     }
 
 private:
+    outcome answered(std::size_t which, long index) const {
+        choices next(seed_ * 1'000'000'007UL + static_cast<unsigned long>(index));
+        outcome result;
+        try {
+            result = statement_kinds()[which].ask(next);
+        } catch (const std::exception& problem) {
+            result.command = announced_command();
+            result.add(verdict::wrong, std::string("ends by an exception: ") + problem.what());
+        }
+        announce("");
+        return result;
+    }
+
     static void print_row(const char* name, const char* about, const kind_counts& counts) {
         const auto of = [&](verdict v) { return counts.of[static_cast<std::size_t>(v)]; };
         const long all = of(verdict::right) + of(verdict::refused) + of(verdict::undecided) + of(verdict::wrong);
@@ -117,10 +141,11 @@ private:
         for (std::size_t v = 0; v < verdicts; ++v) {
             counts.of[v] += result.counts[v];
         }
-        for (const std::string& each : result.messages) {
-            const bool wrong = result.count(verdict::wrong) > 0;
-            fmt::print(stderr, "{} {} (question {} of seed {}): {}\n  {}\n", wrong ? "false" : "undecided",
-                       statement_kinds()[which].name, index, seed_, result.command, each);
+        for (const auto& [given, statement] : result.statements) {
+            if (given == verdict::wrong || given == verdict::undecided) {
+                fmt::print(stderr, "{} {} (question {} of seed {}): {}\n  {}\n", name_of(given),
+                           statement_kinds()[which].name, index, seed_, result.command, statement);
+            }
         }
         failed_ = failed_ || result.count(verdict::wrong) > 0;
     }
@@ -151,8 +176,7 @@ int attack_statements(long questions, unsigned long seed, long threads) {
 
 int attack_statement(long index, unsigned long seed) {
     attack_run run(index + 1, seed);
-    run.ask(index);
-    run.print();
+    run.print_question(index);
     return run.succeeded() ? 0 : 1;
 }
 

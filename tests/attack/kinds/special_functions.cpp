@@ -21,10 +21,11 @@ struct tabulated_value {
     rational value;     // of the first unknown
 };
 
-// The initial time of a text: that of its first initial value, name(time) = value.
+// The initial time of a text: that of its last initial value, name(time) = value.
 rational initial_time(const std::string& problem) {
-    const std::size_t starts = problem.find('(', problem.find(';'));
-    return read_exact(problem.substr(starts + 1, problem.find(')', starts) - starts - 1)).coefficient;
+    const std::size_t end = problem.rfind(") = ");
+    const std::size_t begin = problem.rfind('(', end) + 1;
+    return read_exact(problem.substr(begin, end - begin)).coefficient;
 }
 
 std::vector<tabulated_value> read_table() {
