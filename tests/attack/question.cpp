@@ -1,6 +1,9 @@
 #include "attack/question.hpp"
 
+#include <pthread.h>
+
 #include <chrono>
+#include <ctime>
 #include <map>
 #include <mutex>
 #include <thread>
@@ -9,11 +12,27 @@ namespace libration::attack {
 
 namespace {
 
-using clock = std::chrono::steady_clock;
+// Processor time of a thread, so that the limits do not depend on what else the machine computes.
+class thread_clock {
+public:
+    thread_clock() { pthread_getcpuclockid(pthread_self(), &id_); }
+
+    std::chrono::nanoseconds now() const {
+        timespec time{};
+        clock_gettime(id_, &time);
+        return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+    }
+
+private:
+    clockid_t id_{};
+};
 
 struct running_question {
     std::string command;
-    clock::time_point since;
+    thread_clock clock;  // of the thread that answers it
+    std::chrono::nanoseconds since = clock.now();
+
+    std::chrono::nanoseconds taken() const { return clock.now() - since; }
 };
 
 // The question of each thread.
@@ -49,7 +68,7 @@ const std::vector<statement_kind>& statement_kinds() {
 std::string announce(std::string command) {
     running_questions& of = running();
     const std::lock_guard lock(of.mutex);
-    of.all[std::this_thread::get_id()] = {command, clock::now()};
+    of.all[std::this_thread::get_id()] = {command, {}};
     return command;
 }
 
@@ -62,7 +81,7 @@ std::string announced_command() {
 void require_time_left() {
     running_questions& of = running();
     const std::lock_guard lock(of.mutex);
-    if (clock::now() - of.all[std::this_thread::get_id()].since > seconds_of_a_question) {
+    if (of.all[std::this_thread::get_id()].taken() > seconds_of_a_question) {
         throw no_answer();
     }
 }
@@ -71,7 +90,7 @@ std::optional<std::string> command_older_than(std::chrono::seconds limit) {
     running_questions& of = running();
     const std::lock_guard lock(of.mutex);
     for (const auto& [thread, question] : of.all) {
-        if (!question.command.empty() && clock::now() - question.since > limit) {
+        if (!question.command.empty() && question.taken() > limit) {
             return question.command;
         }
     }

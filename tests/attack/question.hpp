@@ -41,7 +41,7 @@ outcome ask_refusal(choices& next);
 /// Stores the command of this thread's current question, and returns it; an empty one ends the question.
 std::string announce(std::string command);
 std::string announced_command();
-/// The command of a thread whose question has taken longer.
+/// The command of a thread whose question has taken more processor time.
 std::optional<std::string> command_older_than(std::chrono::seconds limit);
 
 /// Ends a question from within, through a progress callback.
@@ -49,7 +49,7 @@ class no_answer : public std::runtime_error {
 public:
     no_answer() : std::runtime_error("no answer in the time that a question has") {}
 };
-/// Throws no_answer if this thread's question takes longer than `seconds_of_a_question`.
+/// Throws no_answer if this thread's question has taken more than `seconds_of_a_question` of processor time.
 void require_time_left();
 inline constexpr std::chrono::seconds seconds_of_a_question{5};
 

@@ -71,7 +71,7 @@ public:
             "What became of the statements of `libration-attack statements {} {}` (tests/attack): numbers and\n"
             "bounds that are called proved, and the facts that refusals state. *Refused* are questions without an\n"
             "answer, whose message states no fact or facts that hold; *undecided* are those whose truth is not\n"
-            "known well enough, or that had no answer in {} s.\n\n",
+            "known well enough, or that had no answer in {} s of processor time.\n\n",
             questions_, seed_, seconds_of_a_question.count());
         fmt::print(
             "| kind | what is stated | questions | statements | proved and right | refused | undecided | false |\n"
@@ -95,7 +95,7 @@ public:
                 const std::lock_guard lock(mutex_);
                 print();
                 std::fflush(stdout);
-                fmt::print(stderr, "no answer after {} s: {}\n", longest_question.count(), *command);
+                fmt::print(stderr, "no answer in {} s of processor time: {}\n", longest_question.count(), *command);
                 std::_Exit(1);
             }
         }

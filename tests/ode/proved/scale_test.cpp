@@ -241,4 +241,11 @@ TEST_CASE("a solution that stays at an equilibrium is followed over times of any
     }
 }
 
+// x' = 0 is not decided by balls about pi, but by sin(pi) = 0.
+TEST_CASE("the derivative of a solution that rests at an irrational value is 0", "[ode][proved]") {
+    const std::vector<std::string> at_rest{"3.1415926535897932385", "0"};
+    CHECK(digits_at("x'' = -sin(x); x(0) = pi; x'(0) = 0", 1, 20) == at_rest);
+    CHECK(digits_at("x' = y; y' = -sin(x); x(0) = pi; y(0) = 0", rational(-1000), 20) == at_rest);
+}
+
 }  // namespace ode_proved_scale_test

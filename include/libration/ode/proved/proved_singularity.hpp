@@ -68,13 +68,9 @@ struct proved_radius {
 /// singularity of any of them, upper - lower < lower 10^-digits: the nearest singularity is found in rounded
 /// arithmetic, a loop around it bounds R from above (theorem C, in the subsystem of the unknown that has it) and
 /// coverings of the disc up to just below it, one for each weakly connected component, from below (theorem L). A
-/// constant solution (is_constant) has an infinite radius. Throws
-/// error of the kind undecided with the bounds proved so far if one of them fails.
+/// constant solution (is_constant) has an infinite radius. Throws error of the kind undecided with the bounds proved so
+/// far if one of them fails.
 proved_radius prove_radius(const explicit_system& system, long digits, const proof_route& route = {});
-
-/// Whether the solution is constant: the derivatives given as initial values are 0, and the right-hand sides vanish
-/// identically at these values. False if that does not follow by exact arithmetic, and for a singular initial point.
-bool is_constant(const explicit_system& system);
 
 /// Its bounds as decimals, rounded outwards, with the fewest digits that keep upper - lower below lower 10^-digits;
 /// inf, inf if it is infinite.

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "libration/ode/constant_solution.hpp"
 #include "libration/ode/proved/proved_trajectory.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/text/printed_number.hpp"
@@ -101,6 +102,7 @@ public:
           observer_(std::move(observer)),
           error_bits_(further_.error_bits),
           order_(in_order(system, times)),
+          constant_(!further_.answered && is_constant(system)),
           done_(times.size()),
           bits_(digits) {
         part_.states.resize(times.size());
@@ -143,7 +145,8 @@ private:
                     march->keep_derivative();
                 }
             }
-            const auto state = state_at(*march, system_, times_[each.index], bits_.now());
+            const auto state = constant_ ? enclosed_start(system_, bits_.now())
+                                         : state_at(*march, system_, times_[each.index], bits_.now());
             collocation_[forward ? 1 : 0] = march->collocation();
             if (!state) {
                 if (ends(*march, each)) {
@@ -264,6 +267,7 @@ private:
     step_observer observer_;
     long error_bits_;
     std::vector<asked_time> order_;
+    bool constant_;  ///< the solution is constant, and nothing else is requested
     std::vector<bool> done_;
     std::array<bool, 2> ended_{};                   ///< backwards and forwards
     std::array<collocation_use, 2> collocation_{};  ///< of the last runs

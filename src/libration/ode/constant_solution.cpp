@@ -1,0 +1,29 @@
+#include "libration/ode/constant_solution.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace libration::ode {
+
+bool is_constant(const explicit_system& system) {
+    if (system.singular()) {
+        return false;
+    }
+    const auto places = places_of(system.unknowns());
+    const auto start = [&](const expression& leaf) -> std::optional<expression> {
+        return leaf.kind() == node_kind::unknown
+                   ? std::optional(expression(
+                         system.starts()[places.at(leaf.name())][static_cast<std::size_t>(leaf.derivative())]))
+                   : std::nullopt;
+    };
+    const auto is_zero = [](const number& x) { return x.fraction() == rational(0); };
+    for (std::size_t i = 0; i < system.unknowns().size(); ++i) {
+        const auto& values = system.starts()[i];
+        if (!std::all_of(values.begin() + 1, values.end(), is_zero) || !replaced(system.right()[i], start).is(0)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace libration::ode
