@@ -17,7 +17,6 @@ struct refusal_facts {
     std::optional<std::string> radius_at_least;  ///< "of at most U and at least L, both proved"
     std::optional<std::string> radius_at_most;
     bool touches = false;          ///< "the function touches 0 there"
-    bool does_not_return = false;  ///< "does not return to the section"
 };
 
 refusal_facts facts_of(const std::string& message);

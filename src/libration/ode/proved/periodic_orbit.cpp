@@ -7,6 +7,7 @@
 #include "libration/scalar/ball/decimal.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"
+#include "needed_bits.hpp"
 
 namespace libration::ode {
 
@@ -84,6 +85,27 @@ std::size_t fastest(const first_order_form& form) {
     return best;
 }
 
+// Why a search found no return to the section through the initial point.
+std::string reason_of(const event_search& search) {
+    const std::string reached = proved_reach_text(search.march().reached(), true);
+    switch (search.end()) {
+        case search_end::steps:
+            return "is proved to exist up to " + reached +
+                   ", where the steps become too small, as they do near a singularity; no return to the section "
+                   "through its initial point was found before";
+        case search_end::horizon:
+            return "was not found to return to the section through its initial point within " +
+                   std::to_string(search.march().steps()) + " steps, up to time " + reached +
+                   ": choose an initial point near an orbit of a shorter period";
+        case search_end::none:
+        case search_end::time:
+        case search_end::precision:
+        case search_end::undecided: break;
+    }
+    return "was not found to return to the section through its initial point: " + std::to_string(first_bits) +
+           " bits do not decide it after time " + reached;
+}
+
 // The time of the return closest to the initial point.
 number guessed_period(const explicit_system& system, const first_order_form& form, std::size_t held,
                       const march_watch& watch) {
@@ -108,7 +130,7 @@ number guessed_period(const explicit_system& system, const first_order_form& for
         }
     }
     if (!period) {
-        throw error(error_kind::undecided, "solution", "", "does not return to the section of its start");
+        throw error(error_kind::undecided, "solution", "", reason_of(search));
     }
     const ball gone = *period - constant_value<ball>::of(system.point());
     rational result;
