@@ -36,6 +36,17 @@ TEST_CASE("several first guesses lead to several solutions", "[command][find]") 
     CHECK(lines.err == "libration: the first guess y'(0) = 1 leads to solution 1 again\n");
 }
 
+// y(1) = 1 + s + k: what the text leaves open has the first guess and the first value of the branch.
+TEST_CASE("first guesses and branches give values to what the problem leaves open", "[command][find]") {
+    const words open{"find", "--problem", "y' = s + k; y(0) = 1", "--unknown", "s", "--such-that", "y(1) = 0"};
+    const auto found = rows_with_a_remark(open + words{"--guess", "s=0", "--set", "k=3"});
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].at("value").starts_with("-4.000"));
+    const auto branch = rows_with_a_remark(open + words{"--guess", "s=0", "--along", "k = 1:2:2"});
+    REQUIRE(branch.size() == 2);
+    CHECK(branch[1].at("s").starts_with("-3.000"));
+}
+
 TEST_CASE("a first guess without a solution is named with its last iterate", "[command][find]") {
     const words none{"find", "--problem", "y' = a^2 - 1; y(0) = 0; a = 3", "--unknown", "a", "--such-that", "y(1) = 0"};
     const auto some = run_libration(none + words{"--guess", "a=3,0"});

@@ -218,13 +218,17 @@ void problem_options::warn_of_unused(const std::string& written) const {
     }
 }
 
-ode::equation_system problem_options::equations() const {
+ode::equation_system problem_options::equations(
+    const std::vector<std::pair<std::string, std::string>>& by_options) const {
     if (!is_chosen()) {
         throw input_error("no problem is given: add --problem P");
     }
     const std::string written = problem_named(*problem_).text;
     auto system = naming_option("--problem", [&] { return ode::parse(written); });
     warn_of_unused(written);
+    for (const auto& [option, value] : by_options) {
+        system = naming_option(option, [&] { return ode::changed(system, value); });
+    }
     for (const std::string& each : changes_) {
         require_changeable(system, each);
         system = naming_option("--set", [&] { return ode::changed(system, each); });

@@ -66,8 +66,9 @@ public:
     bool is_chosen() const;
     /// The problem solved for its highest derivatives. Throws input_error, also for --set without --problem.
     ode::explicit_system choose() const;
-    /// The same as it is written, with the changes.
-    ode::equation_system equations() const;
+    /// The same as it is written, with the changes; other options, by their names, may give values X = VALUE to what
+    /// the text leaves open.
+    ode::equation_system equations(const std::vector<std::pair<std::string, std::string>>& by_options = {}) const;
     /// The argument as it was given.
     const std::optional<std::string>& problem() const { return problem_; }
     const std::vector<std::string>& changes() const { return changes_; }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "equation/problem_options.hpp"
 #include "equation/swept_problem.hpp"
@@ -124,11 +125,23 @@ branch_values read_along(const find_options& options) {
     return along;
 }
 
+// The values from which the search begins, with the options that give them.
+std::vector<std::pair<std::string, std::string>> first_values(const first_guess& guess,
+                                                              const std::optional<branch_values>& along) {
+    std::vector<std::pair<std::string, std::string>> values;
+    for (const std::string& each : guess) {
+        values.emplace_back("--guess", each);
+    }
+    if (along) {
+        values.emplace_back("--along", along->parameter + " = " + along->values.front());
+    }
+    return values;
+}
+
 // The branches of all first guesses.
-int run_along(const find_options& options, const problem& of, const request& how, long digits) {
+int run_along(const find_options& options, const problem& of, const branch_values& along,
+              const std::vector<first_guess>& guesses, const request& how, long digits) {
     require_as_many_conditions(options);
-    const branch_values along = read_along(options);
-    const auto guesses = first_guesses(options.guesses, options.unknowns);
     solution_branches found;
     for (const first_guess& guess : guesses) {
         problem changed = of;
@@ -170,7 +183,6 @@ int print_solutions(const find_options& options, const found_solutions& found, l
 int run_find(const find_options& options) {
     options.output.check();
     const long digits = digits_of(options.digits);
-    const problem of(options.problem.equations());
     if (options.periodic == !options.unknowns.empty()) {
         throw input_error(options.periodic
                               ? "--periodic is given together with --unknown: leave one of them out"
@@ -189,6 +201,8 @@ int run_find(const find_options& options) {
                           "leave one of them out");
     }
     const auto guesses = first_guesses(options.guesses, options.unknowns);
+    const auto along = options.along ? std::optional(read_along(options)) : std::nullopt;
+    const problem of(options.problem.equations(first_values(guesses.front(), along)));
     progress shown("find", guesses.size());
     const request how{.scalar = {scalar_kind::proved, digits},
                       .check = options.check,
@@ -198,8 +212,8 @@ int run_find(const find_options& options) {
                               shown.reached(time, bits);
                               check_time();
                           }};
-    if (options.along) {
-        return naming_option("--problem", [&] { return run_along(options, of, how, digits); });
+    if (along) {
+        return naming_option("--problem", [&] { return run_along(options, of, *along, guesses, how, digits); });
     }
     found_solutions found;
     std::optional<error> ended;
