@@ -43,7 +43,7 @@ rooms operator+(rooms some, const rooms& more) {
     return some;
 }
 
-// Verbs use solutions and tables of motions, and include nothing of the pendulum itself.
+// Verbs and interfaces use solutions and tables of motions, and include nothing of the pendulum itself.
 rooms without_pendulum(rooms some) {
     std::erase_if(some, [](const std::string& name) { return name.starts_with("pendulum"); });
     return some;
@@ -131,7 +131,7 @@ std::map<std::string, rooms> order_of_rooms() {
         {"problem/solution", problem},
         {"verify/proved", pendulum + problem},
         {"library", library},
-        {"src/interface/c", library},
+        {"src/interface/c", without_pendulum(library)},
         {"src/interface/python", {}},
         {"src/libration", {}},
         {"src/command/text", problem},
@@ -454,6 +454,8 @@ TEST_CASE("a crooked house is noticed", "[house]") {
         }
         CHECK(complaints_if(problem, include(pendulum)).size() == 1);
         CHECK(complaints_if("src/command/verb/period.cpp", include(pendulum)).size() == 1);
+        CHECK(complaints_if("src/interface/c/motions.cpp", include(pendulum)).size() == 1);
+        CHECK(complaints_if("src/interface/python/module.cpp", include(pendulum)).size() == 1);
         CHECK(complaints_if(sweep, "  #  include \"../main.cpp\" // indented").size() == 1);
         CHECK(complaints_if(sweep, include(study).replace(10, 3, "../../../")).size() == 1);
         CHECK(complaints_if(study, "#include \"../src/command/main.cpp\"").size() == 1);

@@ -56,7 +56,8 @@ enum class value_kind { number, whole_number, text };
 struct answer_value {
     /// The decimal; empty if no digit of it is decided, or if the solution of its unknown does not reach the time.
     std::string text;
-    /// If it is proved: an upper bound of |exact - decimal|, or of |exact| if no digit is decided. Empty otherwise.
+    /// If it is proved: an upper bound of |exact - decimal|, or of |exact| if no digit is decided; of the position of a
+    /// singularity also if it is not proved, then an estimate. Empty otherwise.
     std::string bound;
     value_kind kind = value_kind::number;
 };
@@ -86,6 +87,8 @@ struct answer {
     std::vector<std::string> drifts = {};
     /// Why values are missing, if any are.
     std::optional<error> missing = {};
+    /// For singularities: whether the whole disc was searched.
+    bool complete = true;
     /// What explains the values, line by line: the reasons of a proof, the verdict of several tests.
     std::vector<answer_note> notes = {};
     /// For proved states: where collocation was used, one entry per independent subsystem and direction of time.

@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +19,28 @@
 #include "libration/scalar/mpfr.hpp"
 
 namespace libration {
+
+/// Which constants of a motion, all of them without names.
+struct constants_request {
+    std::vector<std::string> names = {};
+    /// The point of the radius, as of series_request; if it is empty the top of a pendulum, at E = 2 the bottom.
+    std::string about = {};
+};
+
+/// A solution in double precision, prepared for many times. Immutable: for several threads at once.
+class double_sampler {
+public:
+    double_sampler() = default;
+    virtual ~double_sampler() = default;
+    double_sampler(const double_sampler&) = delete;
+    double_sampler& operator=(const double_sampler&) = delete;
+
+    /// Whether the times are within the range in which nothing is allocated.
+    virtual bool reaches(std::span<const double> times) const = 0;
+    /// Each of the quantities at all times, in an array of as many; the arrays may be the same memory. Throws error for
+    /// a time or a value that is not finite: the contents of the arrays are then unspecified.
+    virtual void at(std::span<const double> times, std::span<double* const> quantities) const = 0;
+};
 
 /// One solution of one problem. Not for several threads at once.
 class solution {
@@ -46,9 +69,13 @@ public:
     /// which cannot prove such a path.
     virtual answer states_along(const complex_path_request& along, const request& how) const = 0;
     /// The constants of the motion that are known in closed form, in one row: for the pendulum energy, gap (2 - E),
-    /// period, tstar (the effective period) and radius (of convergence about the top), inf if they are infinite.
-    /// std::nullopt if there are none.
-    virtual std::optional<answer> constants(const request& /*how*/) const { return std::nullopt; }
+    /// period, tstar (the effective period) and radius (of convergence), inf if they are infinite; proved, whatever the
+    /// scalar. std::nullopt if there are none. Throws error of the subject "constant" for another name.
+    virtual std::optional<answer> constants(const request& /*how*/, const constants_request& /*of*/ = {}) const {
+        return std::nullopt;
+    }
+    /// The quantities in double precision at many times; nullptr if there is no closed form for it.
+    virtual std::unique_ptr<double_sampler> sampler() const { return nullptr; }
     /// The quantities at infinite time, by a lemma. Throws error of the kind undecided if there is none.
     virtual answer limits(const request& how) const = 0;
     /// The first `count` times after the start at which a condition such as "x' = 1/2" holds: time and the quantities,

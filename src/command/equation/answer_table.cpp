@@ -21,9 +21,12 @@ cell cell_of(const answer_value& value) {
 
 bool is_uncertain(const answer_value& value) { return value.kind == value_kind::number && !value.bound.empty(); }
 
-// The columns with an uncertainty.
+// The columns whose uncertainty is a further one: none if the answer has such a column itself.
 std::vector<std::size_t> uncertain_columns(const answer& found) {
     std::vector<std::size_t> columns;
+    if (std::ranges::find(found.names, "uncertainty") != found.names.end()) {
+        return columns;
+    }
     for (std::size_t i = 0; i < found.names.size(); ++i) {
         if (std::ranges::any_of(found.rows, [&](const auto& row) { return !row.empty() && is_uncertain(row[i]); })) {
             columns.push_back(i);

@@ -110,15 +110,19 @@ public:
 
     rows all() {
         const auto front = front_cells();
-        const auto [period, tstar, radius] = states_.constants();
+        const auto constants =
+            states_.constants({motion_constant::period, motion_constant::effective_period, motion_constant::radius});
         rows result;
         result.reserve(block_.times.size());
         for (const exact& time : block_.times) {
             const auto state = state_at(states_, time, block_.said);
             table_row_cells row = front;
             row.insert(row.end(), {number_cell(time_text(time)), cell::number(state.theta, digits_),
-                                   cell::number(state.omega, digits_), number_cell(period), number_cell(tstar),
-                                   number_cell(radius), number_cell(conditions_.at(time))});
+                                   cell::number(state.omega, digits_)});
+            for (const proved_decimal& each : constants) {
+                row.push_back(number_cell(each.text));
+            }
+            row.push_back(number_cell(conditions_.at(time)));
             if (style_ == input_style::typed) {
                 row.insert(row.end(), {cell(digits_), cell("proved"), cell(time.text)});
                 const auto typed = typed_cells();
@@ -162,8 +166,8 @@ private:
     table_row_cells energy_cells() {
         const auto& energy = of_.of.energy();
         if (!energy) {
-            const auto proved = states_.energies();
-            return {number_cell(proved[0]), number_cell(proved[1])};
+            const auto proved = states_.constants({motion_constant::energy, motion_constant::gap});
+            return {number_cell(proved[0].text), number_cell(proved[1].text)};
         }
         const auto text = [&](const rational& value) {
             return number_cell(decimal_text(exactly(value), more_digits()));

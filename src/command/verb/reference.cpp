@@ -68,8 +68,11 @@ shared_cells cells_of_motion(const chosen_motion& chosen, const solution& of, co
     const cell theta0 = m.theta0() ? number_cell(angle_in_decimals(*m.theta0(), digits)) : cell();
     const cell omega0 = chosen.by_state ? number_cell(angle_in_decimals(read_typed(chosen.value), digits)) : cell();
     const std::string direction = chosen.by_state || m.omega0_sign() == 0 ? "" : m.direction() < 0 ? "-" : "+";
-    return {{{"energy", constant("energy")},
-             {"gap", constant("gap")},
+    const auto energy = [&](const char* name, const std::optional<std::string>& exactly) {
+        return exactly ? number_cell(*exactly) : constant(name);
+    };
+    return {{{"energy", energy("energy", chosen.energy)},
+             {"gap", energy("gap", chosen.gap)},
              {"regime", std::string(name_of(m.regime()))},
              {"theta0", theta0},
              {"omega0", omega0}},

@@ -2,14 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "libration/ode/explicit_system.hpp"
-#include "libration/pendulum/given_motion.hpp"
-#include "libration/pendulum/motion/typed_motion.hpp"
-#include "libration/pendulum/sampler/sampler.hpp"
+#include "libration/problem/known/pendulum_solution.hpp"
+#include "libration/problem/solution.hpp"
 #include "libration/scalar/text/printed_number.hpp"
 
 // The shared library exports what this header declares; everything else is hidden.
@@ -39,7 +38,6 @@ struct libration_table {
 
 struct libration_motion {
     libration::pendulum::given_motion given;
-    libration::pendulum::typed_motion typed;
     libration::pendulum::motion of;
 };
 
@@ -56,14 +54,13 @@ struct libration_steps {
 };
 
 struct libration_sampler {
-    libration::pendulum::sampler<double> of;
+    std::unique_ptr<libration::double_sampler> of;
 };
 
 namespace libration::c {
 
 /// A decimal that is correct to one unit in the last digit; 0 and inf are exact.
 libration_number rounded_number(const std::string& decimal);
-inline libration_number rounded_number(const rounded_decimal& number) { return rounded_number(number.text); }
 /// Throws std::logic_error if no digit is proved.
 libration_number proved_number(const proved_decimal& number);
 /// An integer.

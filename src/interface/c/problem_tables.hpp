@@ -1,28 +1,17 @@
-// The tables of radii and singularities in the C interface.
+// The answers about radii and singularities in the columns of the C interface.
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "handles.hpp"
-#include "libration/problem/series_request.hpp"
+#include "libration/problem/answer.hpp"
 
 namespace libration::c {
 
-/// The results for several lists, the verdict of the nearest first and then all of each; to at most this number of
-/// digits.
-libration_table table_of_radii(const std::vector<unknown_series>& unknowns, long digits);
+/// The tests of a radius, the verdict first. `usual` is the unknown of an answer about a single one.
+libration_table table_of_radii(const answer& found, const std::string& usual);
 
-/// Of the unknowns of a system, from coefficients 0 .. last about its initial point.
-libration_table radius_table(const ode::explicit_system& system, long last, long digits);
-
-/// The singularities within a distance of the initial point, "" for twice the nearest, and whether the whole disc was
-/// searched.
-struct found_singularities {
-    libration_table table;
-    bool complete;
-};
-found_singularities singularity_table(const ode::explicit_system& system, const std::string& within, long digits,
-                                      bool proved);
+/// Throws error of the kind undecided for a request of this rigour of which a row is not proved.
+libration_table table_of_singularities(const answer& found, int rigour);
 
 }  // namespace libration::c

@@ -4,7 +4,6 @@
 #include <functional>
 
 #include "guarded.hpp"
-#include "libration/pendulum/given_question.hpp"
 #include "libration/scalar/text/given_number.hpp"
 #include "libration/scalar/text/written_number.hpp"
 #include "libration/verify/proved/double_decimals.hpp"
@@ -153,13 +152,9 @@ libration_table compared_with_motion(const libration_motion& m, const asked_valu
     if (!both && asked.names != std::vector<std::string>{"theta"}) {
         throw error(error_kind::argument, "names", "", "are neither theta nor theta,omega");
     }
-    pendulum::motion_truths truths(m.typed, m.of);
-    return compared(asked, rules_of(rules), watch, [&](const exact& time) {
-        if (time.has_periods() && at_critical_energy(m.of.regime())) {
-            throw error(error_kind::argument, "time", time.text, "is a multiple of an infinite period");
-        }
-        return truths.at(time, asked.names.size());
-    });
+    pendulum::motion_truths truths(exact_numbers(m.given), m.of);
+    return compared(asked, rules_of(rules), watch,
+                    [&](const exact& time) { return truths.at(time, asked.names.size()); });
 }
 
 libration_table compared_with_problem(const libration_problem& p, const asked_values& asked, const char* text,

@@ -7,11 +7,15 @@
 
 namespace libration::pendulum {
 
+void require_time(const motion& m, const exact& time) {
+    if (time.has_periods() && at_critical_energy(m.regime())) {
+        throw error(error_kind::argument, "time", time.text, "is a multiple of an infinite period");
+    }
+}
+
 exact exact_time(const motion& m, const std::string& text) {
     exact time = given_time("time", text);
-    if (time.has_periods() && at_critical_energy(m.regime())) {
-        throw error(error_kind::argument, "time", text, "is a multiple of an infinite period");
-    }
+    require_time(m, time);
     return time;
 }
 

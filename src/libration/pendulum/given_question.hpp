@@ -11,6 +11,9 @@
 
 namespace libration::pendulum {
 
+/// Throws error of the kind argument for a multiple of an infinite period.
+void require_time(const motion& m, const exact& time);
+
 /// A time of this motion; throws error of the kind argument for an angle and for a multiple of an infinite period.
 exact exact_time(const motion& m, const std::string& text);
 

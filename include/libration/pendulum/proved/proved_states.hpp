@@ -3,17 +3,22 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "libration/pendulum/proved/proved_motion.hpp"
+#include "libration/pendulum/solution/expansion_point.hpp"
 #include "libration/scalar/text/printed_number.hpp"
 
 namespace libration::pendulum {
 
 /// The digits that a time loses before its point when it is reduced; 0 for multiples of T, which are reduced exactly.
 long digits_before_point(const motion& m, const exact& time);
+
+/// E, 2 - E, T, T* and the radius of convergence of the series of theta.
+enum class motion_constant { energy, gap, period, effective_period, radius };
 
 /// The digits of one motion. Not for several threads at once.
 class proved_states {
@@ -24,12 +29,6 @@ public:
         std::string theta;
         std::string omega;
     };
-    /// T, T* and the radius about the top; inf where they are infinite.
-    struct constant_texts {
-        std::string period;
-        std::string tstar;
-        std::string radius;
-    };
 
     /// theta and omega at a time, each digit proved; 0 where they vanish by symmetry. Throws error of the kind
     /// undecided if the precision is exhausted before the digits are proved.
@@ -39,9 +38,10 @@ public:
     /// One of the two.
     proved_decimal theta_at(const exact& time) { return state_at(time)[0]; }
     proved_decimal omega_at(const exact& time) { return state_at(time)[1]; }
-    constant_texts constants();
-    /// E and 2-E.
-    std::vector<std::string> energies();
+    /// Constants in this order, each digit proved, inf where they are infinite; the radius about a point, without one
+    /// about the top, at E = 2 about the bottom.
+    std::vector<proved_decimal> constants(const std::vector<motion_constant>& which,
+                                          const std::optional<expansion_point>& about = {});
 
     /// A time as a decimal of this many proved digits: a multiple of the period, of pi, or a fraction.
     std::string time_text(const exact& time, long digits);
@@ -54,6 +54,8 @@ public:
 private:
     const proved_motion& motion_here();
     std::vector<proved_decimal> state_at(const exact& time);
+    std::optional<proved_decimal> exact_constant(motion_constant which) const;
+    std::vector<ball> enclosed(const std::vector<motion_constant>& which, const std::optional<expansion_point>& about);
     std::vector<ball> second_route(const exact& time) const;
     long more_digits(const exact& time);
 

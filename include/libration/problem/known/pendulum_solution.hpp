@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "libration/ode/equation_system.hpp"
+#include "libration/pendulum/given_motion.hpp"
 #include "libration/pendulum/motion/motion.hpp"
 #include "libration/problem/solution.hpp"
 
@@ -13,6 +14,8 @@ namespace libration {
 /// theta and omega of a motion, in its units: Jacobi's elliptic functions. Times may be multiples of the period, 3T/4.
 /// It supports no limits at infinity, no events and no fixed scalars.
 std::unique_ptr<solution> solution_of(const pendulum::motion& m);
+/// The same of a motion given as text; throws error as exact_motion().
+std::unique_ptr<solution> solution_of(const pendulum::given_motion& given);
 
 /// Equations that are those of a pendulum, x'' = -k sin(x), k > 0 a number, or x' = y, y' = -k sin(x), with any names,
 /// order of the equations and initial time.

@@ -13,22 +13,11 @@ using namespace pendulum;
 
 namespace {
 
-// A multiple of T*; 0 for the number of them in a period.
-proved_decimal quarters(const pendulum::given_motion& given, int count, long digits) {
+proved_decimal constant(const pendulum::given_motion& given, motion_constant which, long digits,
+                        const std::optional<std::string>& point = {}) {
     const pendulum::motion m = exact_motion(given);
-    if (at_critical_energy(m.regime())) {
-        return {"inf", "0"};
-    }
-    const int factor = count == 0 ? quarters_per_period(m.regime()) : count;
-    return proved_value(given_digits(digits), [&] { return pendulum::proved_motion(m).effective_period() * factor; });
-}
-
-proved_decimal part_of_energy(const pendulum::motion& m, const std::optional<rational>& exactly, long digits,
-                              ball pendulum::energy_pair<ball>::*part) {
-    if (const auto text = short_decimal(exactly, given_digits(digits))) {
-        return {*text, "0"};
-    }
-    return proved_value(digits, [&] { return energies<ball>(m).*part; });
+    const auto about = point ? std::optional(exact_point(m, *point, 0)) : std::nullopt;
+    return proved_states(m, given_digits(digits)).constants({which}, about).front();
 }
 
 }  // namespace
@@ -43,21 +32,20 @@ proved_decimal omega(const pendulum::given_motion& motion, const std::string& ti
     return pendulum::proved_states(m, given_digits(digits)).omega_at(exact_time(m, time));
 }
 
-proved_decimal period(const pendulum::given_motion& motion, long digits) { return quarters(motion, 0, digits); }
+proved_decimal period(const pendulum::given_motion& motion, long digits) {
+    return constant(motion, motion_constant::period, digits);
+}
 
 proved_decimal effective_period(const pendulum::given_motion& motion, long digits) {
-    return quarters(motion, 1, digits);
+    return constant(motion, motion_constant::effective_period, digits);
 }
 
 proved_decimal energy(const pendulum::given_motion& motion, long digits) {
-    const pendulum::motion m = exact_motion(motion);
-    return part_of_energy(m, m.energy(), digits, &pendulum::energy_pair<ball>::energy);
+    return constant(motion, motion_constant::energy, digits);
 }
 
 proved_decimal gap(const pendulum::given_motion& motion, long digits) {
-    const pendulum::motion m = exact_motion(motion);
-    const auto exactly = m.energy() ? std::optional(rational(2 - *m.energy())) : std::nullopt;
-    return part_of_energy(m, exactly, digits, &pendulum::energy_pair<ball>::gap);
+    return constant(motion, motion_constant::gap, digits);
 }
 
 proved_decimal coefficient(const pendulum::given_motion& motion, const std::string& point, long n, long digits) {
@@ -70,14 +58,7 @@ proved_decimal coefficient(const pendulum::given_motion& motion, const std::stri
 }
 
 proved_decimal radius(const pendulum::given_motion& motion, const std::string& point, long digits) {
-    const pendulum::motion m = exact_motion(motion);
-    const pendulum::expansion_point at = exact_point(m, point, 0);
-    if (at_rest(m.regime())) {
-        return {"inf", "0"};
-    }
-    return proved_value(given_digits(digits), [&] {
-        return ball(*radius_about(pendulum::exact_solution<ball>(m), at) * time_unit<ball>(m));
-    });
+    return constant(motion, motion_constant::radius, digits, point);
 }
 
 proved_decimal error_norm(const pendulum::given_motion& motion, pendulum::arc_method method, int order, long digits) {

@@ -1,11 +1,14 @@
 #include "libration/pendulum/proved/proved_states.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
+#include "../given_question.hpp"
 #include "libration/digits/proved/proved_decimals.hpp"
 #include "libration/pendulum/solution/critical_formula.hpp"
 #include "libration/pendulum/solution/separatrix_sum.hpp"
+#include "libration/pendulum/taylor/expansion.hpp"
 
 namespace libration::pendulum {
 
@@ -15,15 +18,6 @@ namespace {
 constexpr long worth_a_trial = 500;
 constexpr long trial_digits = 20;
 constexpr long first_guard = 20;
-
-std::vector<std::string> texts_of(const std::vector<proved_decimal>& values) {
-    std::vector<std::string> texts;
-    texts.reserve(values.size());
-    for (const proved_decimal& value : values) {
-        texts.push_back(value.text);
-    }
-    return texts;
-}
 
 // Whether a ball is narrower than one unit in the last of its digits; around 0, of those of 1.
 bool shows_digits(const ball& x, const ball& size, long digits) {
@@ -74,30 +68,66 @@ proved_states::state_text proved_states::at(const exact& time) {
     return {values[0].text, values[1].text};
 }
 
-proved_states::constant_texts proved_states::constants() {
-    const bool critical = at_critical_energy(motion_.regime());
-    const bool at_rest = motion_.regime() == regime::stable_equilibrium || (critical && motion_.omega0_sign() == 0);
-    const auto values = texts_of(proved_decimals(digits_, [&] {
-        const proved_motion& here = motion_here();
-        std::vector<ball> list;
-        if (!critical) {
-            list.push_back(here.effective_period());
-            list.push_back(list[0] * quarters_per_period(motion_.regime()));
-        }
-        if (!at_rest) {
-            list.push_back(here.radius());
-        }
-        return list;
-    }));
-    const std::string radius = at_rest ? "inf" : values.back();
-    return critical ? constant_texts{"inf", "inf", radius} : constant_texts{values[1], values[0], radius};
+// Infinite ones, and E and 2 - E if their decimals terminate within the digits.
+std::optional<proved_decimal> proved_states::exact_constant(motion_constant which) const {
+    const auto if_short = [&](const std::optional<rational>& value) {
+        const auto text = short_decimal(value, digits_);
+        return text ? std::optional(proved_decimal{*text, "0"}) : std::nullopt;
+    };
+    const auto if_infinite = [](bool infinite) {
+        return infinite ? std::optional(proved_decimal{"inf", "0"}) : std::nullopt;
+    };
+    const auto& energy = motion_.energy();
+    switch (which) {
+        case motion_constant::energy: return if_short(energy);
+        case motion_constant::gap: return if_short(energy ? std::optional(rational(2 - *energy)) : std::nullopt);
+        case motion_constant::radius: return if_infinite(at_rest(motion_.regime()));
+        case motion_constant::period:
+        case motion_constant::effective_period: break;
+    }
+    return if_infinite(at_critical_energy(motion_.regime()));
 }
 
-std::vector<std::string> proved_states::energies() {
-    return texts_of(proved_decimals(digits_, [&] {
-        auto pair = pendulum::energies<ball>(motion_);
-        return std::vector<ball>{std::move(pair.energy), std::move(pair.gap)};
-    }));
+std::vector<ball> proved_states::enclosed(const std::vector<motion_constant>& which,
+                                          const std::optional<expansion_point>& about) {
+    std::optional<ball> tstar;
+    const auto effective_period = [&] {
+        tstar = tstar ? tstar : motion_here().effective_period();
+        return *tstar;
+    };
+    const auto value = [&](motion_constant each) {
+        switch (each) {
+            case motion_constant::energy: return energies<ball>(motion_).energy;
+            case motion_constant::gap: return energies<ball>(motion_).gap;
+            case motion_constant::period: return ball(effective_period() * quarters_per_period(motion_.regime()));
+            case motion_constant::effective_period: return effective_period();
+            case motion_constant::radius: break;
+        }
+        return about ? ball(*radius_about(exact_solution<ball>(motion_), *about) * time_unit<ball>(motion_))
+                     : motion_here().radius();
+    };
+    std::vector<ball> values;
+    std::ranges::transform(which, std::back_inserter(values), value);
+    return values;
+}
+
+std::vector<proved_decimal> proved_states::constants(const std::vector<motion_constant>& which,
+                                                     const std::optional<expansion_point>& about) {
+    std::vector<std::optional<proved_decimal>> known;
+    std::vector<motion_constant> open;
+    for (const motion_constant each : which) {
+        known.push_back(exact_constant(each));
+        if (!known.back()) {
+            open.push_back(each);
+        }
+    }
+    const auto proved = proved_decimals(digits_, [&] { return enclosed(open, about); });
+    std::vector<proved_decimal> all;
+    auto next = proved.begin();
+    for (const auto& each : known) {
+        all.push_back(each ? *each : *next++);
+    }
+    return all;
 }
 
 std::string proved_states::time_text(const exact& time, long digits) {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "../../pendulum/given_question.hpp"
 #include "../solution/taylor_solution.hpp"
 #include "closed_form_states.hpp"
 #include "known_problems.hpp"
@@ -14,6 +15,7 @@
 #include "libration/ode/proved/proved_singularity.hpp"
 #include "libration/pendulum/proved/proved_states.hpp"
 #include "libration/pendulum/proved/proved_times.hpp"
+#include "libration/pendulum/sampler/sampler.hpp"
 #include "libration/pendulum/taylor/point_coefficients.hpp"
 #include "libration/problem/axis.hpp"
 #include "libration/scalar/text/decimal.hpp"
@@ -24,6 +26,19 @@ namespace libration {
 namespace {
 
 using pendulum::motion;
+
+class pendulum_sampler : public double_sampler {
+public:
+    explicit pendulum_sampler(const motion& m) : of_(m) {}
+
+    bool reaches(std::span<const double> times) const override { return of_.reaches(times); }
+    void at(std::span<const double> times, std::span<double* const> quantities) const override {
+        of_(times, {quantities[0], times.size()}, {quantities[1], times.size()});
+    }
+
+private:
+    pendulum::sampler<double> of_;
+};
 
 class pendulum_solution : public solution {
 public:
@@ -44,7 +59,11 @@ public:
     answer states_along(const complex_path_request& along, const request& how) const override {
         return general("in the complex plane").states_along(along, how);
     }
-    std::optional<answer> constants(const request& how) const override;
+    std::optional<answer> constants(const request& how, const constants_request& of) const override;
+    // Times and order of the quantities are those of the motion.
+    std::unique_ptr<double_sampler> sampler() const override {
+        return general_ ? nullptr : std::make_unique<pendulum_sampler>(motion_);
+    }
     answer limits(const request& how) const override { return general("at infinite time").limits(how); }
     answer events(const std::string& condition, long count, const request& how) const override {
         return general("for events").events(condition, count, how);
@@ -99,24 +118,23 @@ pendulum::proved_states& pendulum_solution::states_to(long digits) const {
     return states_.try_emplace(digits, motion_, digits).first->second;
 }
 
-// The decimal of E or 2 - E if it terminates.
-std::optional<std::string> ending(const std::optional<exact>& number) {
-    return number && number->is_fraction() ? to_finite_decimal(number->coefficient) : std::nullopt;
-}
-
-std::optional<answer> pendulum_solution::constants(const request& how) const {
-    pendulum::proved_states& states = states_to(how.printed_digits());
-    auto energy = ending(motion_.exact_energy());
-    auto gap = ending(motion_.exact_gap());
-    if (!energy || !gap) {
-        const auto proved = states.energies();
-        energy = energy.value_or(proved[0]);
-        gap = gap.value_or(proved[1]);
+std::optional<answer> pendulum_solution::constants(const request& how, const constants_request& of) const {
+    static const std::vector<std::string> all{"energy", "gap", "period", "tstar", "radius"};
+    const auto& names = of.names.empty() ? all : of.names;
+    std::vector<pendulum::motion_constant> which;
+    for (const std::string& name : names) {
+        const auto found = std::ranges::find(all, name);
+        if (found == all.end()) {
+            throw error(error_kind::argument, "constant", name, "is not energy, gap, period, tstar or radius");
+        }
+        which.push_back(static_cast<pendulum::motion_constant>(found - all.begin()));
     }
-    const auto [period, tstar, radius] = states.constants();
-    return answer{.names = {"energy", "gap", "period", "tstar", "radius"},
-                  .rows = {{{*energy, ""}, {*gap, ""}, {period, ""}, {tstar, ""}, {radius, ""}}},
-                  .rigour = "proved"};
+    const auto about = of.about.empty() ? std::nullopt : std::optional(point_of(of.about));
+    answer result{.names = names, .rows = {{}}, .rigour = "proved"};
+    for (const proved_decimal& each : states_to(how.printed_digits()).constants(which, about)) {
+        result.rows[0].push_back({each.text, each.uncertainty});
+    }
+    return result;
 }
 
 std::vector<std::string> pendulum_solution::times_in_decimals(const std::vector<exact>& times, long digits) const {
@@ -135,6 +153,7 @@ std::vector<std::string> pendulum_solution::times_in_decimals(const std::vector<
 
 std::vector<answer_value> pendulum_solution::state_at(pendulum::proved_states& states, const exact& time,
                                                       bool check) const {
+    pendulum::require_time(motion_, time);
     const auto of_motion = states.both_at(since_start(time));
     std::vector<answer_value> values{{of_motion[0].text, of_motion[0].uncertainty},
                                      {of_motion[1].text, of_motion[1].uncertainty}};
@@ -296,6 +315,8 @@ answer pendulum_solution::proved_radius(const series_request& of, const request&
 }  // namespace
 
 std::unique_ptr<solution> solution_of(const motion& m) { return std::make_unique<pendulum_solution>(m); }
+
+std::unique_ptr<solution> solution_of(const pendulum::given_motion& given) { return solution_of(exact_motion(given)); }
 
 known_facts facts_of_pendulum() {
     return {.problem = "pendulum",

@@ -145,6 +145,12 @@ std::string uncertainty_of(const complex_number<ball>& time, const ball& error, 
     return upper_bound_text(sqrt(ball(of_re * of_re + of_im * of_im)) + error);
 }
 
+// A number within an error of an enclosure, of which `nearest` is the decimal.
+answer_value value_near(const ball& enclosure, const ball& error, std::string nearest) {
+    const ball apart = enclosure - from_rational<ball>(read_exact(nearest).coefficient);
+    return {std::move(nearest), upper_bound_text(abs(apart) + error)};
+}
+
 // `proof` is nullptr if none was asked for.
 std::vector<answer_value> row_of(const ode::explicit_system& system, const ode::found_singularity& found,
                                  const ode::proved_singularity* proof, long digits) {
@@ -152,8 +158,8 @@ std::vector<answer_value> row_of(const ode::explicit_system& system, const ode::
     const std::string im = to_decimal(found.offset.im, digits);
     const bool proved = proof != nullptr && proof->refusal.empty();
     const ball error = proved ? proof->reach.exact() : ball(found.uncertainty);
-    const complex_number<ball> time{ball(ode::constant_value<ball>::of(system.point()) + ball(found.offset.re)),
-                                    ball(found.offset.im)};
+    const complex_number<ball> offset{ball(found.offset.re), ball(found.offset.im)};
+    const complex_number<ball> time{ball(ode::constant_value<ball>::of(system.point()) + offset.re), offset.im};
     const std::string evidence = proof == nullptr ? ""
                                  : proved         ? words_of_evidence(system, *proof)
                                                   : "not proved: it " + proof->refusal;
@@ -162,9 +168,9 @@ std::vector<answer_value> row_of(const ode::explicit_system& system, const ode::
     };
     const double size_of_p = size_of_exponent(found.exponent);
     const double size_of_c = std::abs(found.coefficient);
-    return {{re, ""},
-            {im, ""},
-            {to_decimal(mpfr(modulus_of(found.offset)), digits), ""},
+    return {value_near(time.re, error, re),
+            value_near(time.im, error, im),
+            value_near(modulus_of(offset), error, to_decimal(mpfr(modulus_of(found.offset)), digits)),
             {uncertainty_of(time, error, re, im), ""},
             text_value(ode::words_of(found.kind, found.exponent.real())),
             number(found.exponent.real(), size_of_p),
@@ -216,6 +222,7 @@ answer taylor_solution::singularities(const std::optional<double>& within, const
         .rows = {},
         .rigour = prove && !none_found ? "proved" : "heuristic",
         .missing = map.ended,
+        .complete = map.complete,
         .notes = {{"extent", map.ended ? "of those " + extent_of(map) : extent_of(map)}}};
     if (none_found) {
         result.notes.push_back({"none", "none found within " + searched + ", which does not prove that there is none"});

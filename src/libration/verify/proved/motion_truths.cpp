@@ -5,6 +5,7 @@
 #include <string>
 #include <tuple>
 
+#include "../../pendulum/given_question.hpp"
 #include "libration/pendulum/energy/energy.hpp"
 #include "libration/pendulum/time/dimensionless_time.hpp"
 #include "libration/scalar/text/decimal.hpp"
@@ -104,6 +105,7 @@ const conditioned_motion& motion_truths::in_precision(long digits) {
 }
 
 row_question motion_truths::at(const exact& time, std::size_t count) {
+    require_time(exactly_, time);
     row_question question;
     question.first_digits = [this, time](long places) {
         const long time_exponent = exponent_of(time);
