@@ -17,52 +17,10 @@ constexpr std::array<named_text motion_cells::*, 7> members{
     &motion_cells::theta0,    &motion_cells::omega0, &motion_cells::gap,    &motion_cells::energy,
     &motion_cells::direction, &motion_cells::length, &motion_cells::gravity};
 constexpr std::array<const char*, 7> quantities{"theta0", "omega0", "gap", "energy", "direction", "length", "gravity"};
+constexpr std::array<std::string given_motion::*, 7> fields{
+    &given_motion::theta0,    &given_motion::omega0, &given_motion::gap,    &given_motion::energy,
+    &given_motion::direction, &given_motion::length, &given_motion::gravity};
 constexpr std::array<const char*, 4> typed_quantities{"theta0_typed", "omega0_typed", "gap_typed", "energy_typed"};
-
-exact pure_number(const std::string& text) {
-    exact number = read_typed(text);
-    if (!number.is_number()) {
-        throw error(error_kind::argument, "number", text, "has a unit");
-    }
-    return number;
-}
-
-exact positive_number(const std::string& text) {
-    exact number = pure_number(text);
-    if (sign_of_exact(number) <= 0) {
-        throw error(error_kind::argument, "number", text, "is not positive");
-    }
-    return number;
-}
-
-exact angle(const std::string& text) {
-    exact number = read_typed(text);
-    if (number.has_periods()) {
-        throw error(error_kind::argument, "angle", text, "is a time");
-    }
-    return number;
-}
-
-int direction_in(const std::string& text) {
-    if (text.empty() || text == "+" || text == "+1" || text == "1") {
-        return 1;
-    }
-    if (text != "-" && text != "-1") {
-        throw error(error_kind::argument, "direction", text, "is neither + nor -");
-    }
-    return -1;
-}
-
-// The number in a cell, or the double nearest to it; std::nullopt if the cell is empty.
-std::optional<exact> number_in(const named_text& cell, exact (*read)(const std::string&), bool as_double) {
-    if (cell.text.empty()) {
-        return std::nullopt;
-    }
-    return reading_cell(cell, [&](const std::string& text) {
-        const exact number = read(text);
-        return as_double ? nearest_double(number) : number;
-    });
-}
 
 bool same_number(const std::string& a, const std::string& b) {
     if (a == b) {
@@ -98,20 +56,18 @@ void require_one_energy(const std::vector<given_energy>& given) {
     }
 }
 
-void require_consistent(const motion_cells& cells, const typed_motion& typed, const std::optional<exact>& gap,
-                        const std::optional<exact>& energy) {
-    const bool one = (typed.by_state() ? 1 : 0) + (gap ? 1 : 0) + (energy ? 1 : 0) <= 1;
-    if (one || (typed.theta0 && typed.theta0->has_periods())) {
+void require_consistent(const motion_cells& cells, const typed_motion& typed) {
+    if ((typed.by_state() ? 1 : 0) + (typed.gap ? 1 : 0) + (typed.energy ? 1 : 0) <= 1) {
         return;
     }
     const precision_scope scope(100);
     std::vector<given_energy> given;
-    if (gap) {
-        const auto value = from_exact<mpfr>(*gap);
+    if (typed.gap) {
+        const auto value = from_exact<mpfr>(*typed.gap);
         given.push_back({&cells.gap, 2 - value, abs(value) + 2});
     }
-    if (energy) {
-        const auto value = from_exact<mpfr>(*energy);
+    if (typed.energy) {
+        const auto value = from_exact<mpfr>(*typed.energy);
         given.push_back({&cells.energy, value, abs(value) + 2});
     }
     if (typed.by_state()) {
@@ -154,63 +110,68 @@ std::string motion_cells::key() const {
     return key;
 }
 
-typed_motion motion_cells::read(bool as_doubles) const {
+const named_text& motion_cells::cell_of(const std::string& quantity) const {
+    const auto* const found = std::find(quantities.begin(), quantities.end(), quantity);
+    return this->*members.at(static_cast<std::size_t>(found - quantities.begin()));
+}
+
+typed_motion motion_cells::numbers(const number_notation& by) const {
+    given_motion given;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        given.*fields[i] = (this->*members[i]).text;
+    }
+    try {
+        return typed_numbers(given, by);
+    } catch (const error& problem) {
+        const named_text& cell = cell_of(problem.subject());
+        throw error(problem.kind(), cell.name, cell.text, problem.reason());
+    }
+}
+
+typed_motion motion_cells::read(const number_notation& by) const {
     if (!names_a_motion()) {
         throw error(error_kind::argument, "the row", "", "has no motion: theta0 and omega0, a gap or an energy");
     }
-    typed_motion typed;
-    if (length.text.empty() != gravity.text.empty()) {
-        const named_text& there = length.text.empty() ? gravity : length;
-        const named_text& lacking = length.text.empty() ? length : gravity;
-        throw error(error_kind::argument, there.name, there.text,
-                    "comes without " + (lacking.name.empty() ? std::string("the other one") : lacking.name));
-    }
-    if (!length.text.empty()) {
-        typed.squared_frequency =
-            *number_in(gravity, positive_number, as_doubles) / *number_in(length, positive_number, as_doubles);
-    }
-    typed.theta0 = number_in(theta0, angle, as_doubles);
-    typed.omega0 = number_in(omega0, pure_number, as_doubles);
-    const auto gap_read = number_in(gap, pure_number, as_doubles);
-    const auto energy_read = number_in(energy, pure_number, as_doubles);
-    typed.direction = reading_cell(direction, direction_in);
+    typed_motion typed = numbers(by);
     if (typed.omega0 && !typed.theta0) {
         throw error(error_kind::argument, omega0.name, omega0.text, "comes without a theta0");
     }
-    require_consistent(*this, typed, gap_read, energy_read);
+    require_consistent(*this, typed);
     if (typed.by_state()) {
         const int sign = sign_of_exact(*typed.omega0);
         if (!direction.text.empty() && sign != 0 && sign != typed.direction) {
             refuse(direction, omega0);
         }
-    } else {
-        (gap_read ? typed.gap : typed.energy) = gap_read ? gap_read : energy_read;
+        typed.gap = typed.energy = std::nullopt;
+    } else if (typed.gap) {
+        typed.energy = std::nullopt;
     }
     return typed;
+}
+
+const named_text& motion_cells::deciding(const typed_motion& typed) const {
+    return typed.by_state() ? omega0 : typed.gap ? gap : energy;
 }
 
 motion motion_cells::motion_of(const typed_motion& typed) const {
     try {
         return typed.motion();
     } catch (const error& problem) {
-        const named_text& cell = problem.subject() == "theta0" ? theta0
-                                 : typed.by_state()            ? omega0
-                                 : typed.gap                   ? gap
-                                                               : energy;
-        throw error(problem.kind(), cell.name, cell.text, problem.reason());
+        const bool negative = typed.gap && problem.subject() == "energy" && problem.kind() == error_kind::argument;
+        const named_text& cell = problem.subject() == "theta0" ? theta0 : deciding(typed);
+        throw error(problem.kind(), cell.name, cell.text, negative ? "makes the energy negative" : problem.reason());
     }
 }
 
-chosen_motion motion_cells::choose() const {
-    const typed_motion typed = read();
+chosen_motion motion_cells::choose(const number_notation& by) const {
+    const typed_motion typed = read(by);
     motion of = motion_of(typed);
     std::optional<std::string> energy_text = ending_decimal(of.exact_energy());
     std::optional<std::string> gap_text = ending_decimal(of.exact_gap());
-    const named_text& chosen = typed.by_state() ? omega0 : typed.gap ? gap : energy;
     return {.of = std::move(of),
             .by_state = typed.by_state(),
-            .option = chosen.name,
-            .value = chosen.text,
+            .option = deciding(typed).name,
+            .value = deciding(typed).text,
             .energy = std::move(energy_text),
             .gap = std::move(gap_text),
             .energy_typed = typed.energy ? energy.text : "",

@@ -31,15 +31,21 @@ struct motion_cells {
     void complete_from(const motion_cells& other);
     /// All texts: identifies the motion.
     std::string key() const;
-    /// theta0 and omega0, else the gap, else the energy, these two from theta0 if it is given; with `as_doubles` the
-    /// doubles nearest to them. Throws error of the name of a cell if it cannot be read, if there is no motion, and if
+    static constexpr pendulum::number_notation of_programs{.of_programs = true};
+    /// theta0 and omega0, else the gap, else the energy, these two from theta0 if it is given. Throws error of the name of a cell if it cannot be read, if there is no motion, and if
     /// the cells contradict each other: if the energies that they give differ by more than the rounding of doubles,
     /// 2^-50 of their size, or the direction is not the sign of omega0.
-    pendulum::typed_motion read(bool as_doubles = false) const;
+    pendulum::typed_motion read(const pendulum::number_notation& by = of_programs) const;
     /// The motion of what was read. Throws error of the name of a cell, for example if an energy is negative.
     pendulum::motion motion_of(const pendulum::typed_motion& typed) const;
     /// The motion with the texts that represent it in the output. Throws as both.
-    chosen_motion choose() const;
+    chosen_motion choose(const pendulum::number_notation& by = of_programs) const;
+
+private:
+    pendulum::typed_motion numbers(const pendulum::number_notation& by) const;
+    const named_text& cell_of(const std::string& quantity) const;
+    /// That of the energy or of the last number of a state.
+    const named_text& deciding(const pendulum::typed_motion& typed) const;
 };
 
 /// The columns of a motion. A table of this program has further columns with its numbers as typed, which are exact.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <mutex>
 #include <stdexcept>
 
@@ -11,6 +12,7 @@
 #include "libration/pendulum/time/dimensionless_time.hpp"
 #include "libration/problem/known/pendulum.hpp"
 #include "libration/scalar/text/decimal.hpp"
+#include "motion/motion_cells.hpp"
 #include "option/options.hpp"
 #include "run/grid.hpp"
 #include "run/progress.hpp"
@@ -22,16 +24,34 @@ using namespace pendulum;
 
 namespace {
 
-constexpr const char* number_form = "write a number such as 1.71, 171/100 or 1e-30";
-constexpr const char* angle_remedy = "write an angle such as 2.5, 3pi/4 or 150deg";
 constexpr const char* times_remedy = "write times such as 0,1.5,T/4 or a range 0:20:401";
 
-exact angle_of(const std::string& option, const std::string& value) {
-    exact angle = reading(option, value, angle_remedy, [&] { return read_exact(value); });
-    if (angle.has_periods()) {
-        throw input_error(option, value, "is a time", angle_remedy);
+// What to write instead of the value of an option.
+std::string remedy_of(const std::string& option) {
+    static const std::map<std::string, std::string> remedies{
+        {"--energy", "write an energy of 0 or more, such as 1.71, 171/100 or 1e-30"},
+        {"--gap", "write a gap 2 - E of at most 2, such as 1.71, 171/100 or 1e-30"},
+        {"--theta0", "write an angle such as 2.5, 3pi/4 or 150deg; with an energy E, one with 1 - cos(angle) <= E"},
+        {"--omega0", "write a number such as 1.71, 171/100 or 1e-30"},
+        {"--direction", "write + or -"},
+        {"--length", "write a positive number, and another one in --gravity"},
+        {"--gravity", "write a positive number, and another one in --length"}};
+    return remedies.at(option);
+}
+
+// An error about the value of an option, or about that of the field of this name.
+template <class Read>
+auto reading_motion(const Read& read) {
+    try {
+        return read();
+    } catch (const error& problem) {
+        const std::string prefix = problem.subject().starts_with("--") ? "" : "--";
+        if (problem.kind() == error_kind::undecided) {
+            throw error(error_kind::undecided, prefix + problem.subject(), problem.value(), problem.reason());
+        }
+        throw input_error(prefix + problem.subject(), problem.value(), problem.reason(),
+                          remedy_of(prefix + problem.subject()));
     }
-    return angle;
 }
 
 // A line on stderr, once, for a number of more than three turns, which is often meant in degrees.
@@ -48,22 +68,8 @@ void note_radians(const exact& angle) {
 
 }  // namespace
 
-exact squared_frequency_of(const std::optional<std::string>& length, const std::optional<std::string>& gravity) {
-    if (length.has_value() != gravity.has_value()) {
-        throw input_error(length ? "--length '" + *length + "' requires --gravity: give both or neither"
-                                 : "--gravity '" + *gravity + "' requires --length: give both or neither");
-    }
-    return length ? positive_number_of("--gravity", *gravity) / positive_number_of("--length", *length) : exactly(1);
-}
-
-int direction_of(const std::optional<std::string>& words) {
-    if (!words || *words == "+") {
-        return 1;
-    }
-    if (*words != "-") {
-        throw input_error("--direction", *words, "is not a direction", "write + or -");
-    }
-    return -1;
+typed_motion numbers_of_options(const given_motion& given) {
+    return reading_motion([&] { return typed_numbers(given); });
 }
 
 std::string usual_point_of(const chosen_motion& chosen) {
@@ -101,60 +107,9 @@ void motion_options::add_to(CLI::App& command) {
     command.add_option("--gravity", gravity_, "gravity in m/s^2 (with --length)")->group(group)->type_name("G");
 }
 
-chosen_motion motion_options::by_energy() const {
-    const bool by_gap = gap_.has_value();
-    const std::string option = by_gap ? "--gap" : "--energy";
-    const std::string& value = by_gap ? *gap_ : *energy_;
-    const exact number = number_of(option, value);
-    const exact energy = by_gap ? exactly(2) - number : number;
-    const exact gap = by_gap ? number : exactly(2) - number;
-    if (sign_of_exact(energy) < 0) {
-        throw input_error(option, value, by_gap ? "makes the energy negative" : "is a negative energy",
-                          by_gap ? "write a gap 2 - E of at most 2" : "write an energy of 0 or more");
-    }
-    const int sense = direction_of(direction_);
-    const auto angle = theta0_ ? std::optional(angle_of("--theta0", *theta0_)) : std::nullopt;
-    const motion of = angle ? reading("--theta0", *theta0_, "choose an angle with 1 - cos(angle) <= E",
-                                      [&] { return motion::of_energy_from(energy, *angle, sense); })
-                            : reading(option, value, number_form, [&] { return motion::of_energy(energy, sense); });
-    return {.of = of.with_squared_frequency(squared_frequency()),
-            .by_state = false,
-            .option = option,
-            .value = value,
-            .energy = ending_decimal(energy),
-            .gap = ending_decimal(gap),
-            .energy_typed = by_gap ? "" : value,
-            .gap_typed = by_gap ? value : "",
-            .theta0_typed = angle ? angle->text : "",
-            .omega0_typed = ""};
-}
-
-chosen_motion motion_options::by_state() const {
-    if (!theta0_ || !omega0_) {
-        throw input_error(theta0_ ? "--theta0 '" + *theta0_ +
-                                        "' alone does not determine a motion: add --omega0 W or --energy E"
-                                  : "--omega0 '" + *omega0_ + "' alone does not determine a motion: add --theta0 A");
-    }
-    if (direction_) {
-        throw input_error("--direction", *direction_, "applies to --energy or --gap",
-                          "write the sign of the motion in --omega0");
-    }
-    const exact angle = angle_of("--theta0", *theta0_);
-    const exact speed = number_of("--omega0", *omega0_);
-    motion of =
-        reading("--omega0", *omega0_, number_form, [&] { return motion::of_state(angle, speed, squared_frequency()); });
-    auto energy = ending_decimal(of.exact_energy());
-    auto gap = ending_decimal(of.exact_gap());
-    return {std::move(of),  true, "--omega0", *omega0_,   std::move(energy),
-            std::move(gap), "",   "",         angle.text, speed.text};
-}
-
-chosen_motion motion_options::choose() const {
+void motion_options::require_one_motion() const {
     if (energy_ && gap_) {
         throw input_error("--gap", *gap_, "is given together with --energy '" + *energy_ + "'", "give one of the two");
-    }
-    if (theta0_) {
-        note_radians(angle_of("--theta0", *theta0_));
     }
     const bool energetic = energy_ || gap_;
     if (energetic && omega0_) {
@@ -165,7 +120,29 @@ chosen_motion motion_options::choose() const {
     if (!energetic && !theta0_ && !omega0_) {
         throw input_error("no motion is given: add --energy E, --gap G, or --theta0 A with --omega0 W");
     }
-    return energetic ? by_energy() : by_state();
+    if (!energetic && (!theta0_ || !omega0_)) {
+        throw input_error(theta0_ ? "--theta0 '" + *theta0_ +
+                                        "' alone does not determine a motion: add --omega0 W or --energy E"
+                                  : "--omega0 '" + *omega0_ + "' alone does not determine a motion: add --theta0 A");
+    }
+    if (!energetic && direction_) {
+        throw input_error("--direction", *direction_, "applies to --energy or --gap",
+                          "write the sign of the motion in --omega0");
+    }
+    for (const auto& [name, value] : all()) {
+        if (*value && (*value)->empty()) {
+            throw input_error(name, "", "is empty", remedy_of(name));
+        }
+    }
+}
+
+chosen_motion motion_options::choose() const {
+    require_one_motion();
+    chosen_motion chosen = reading_motion([&] { return motion_cells::of(*this).choose({}); });
+    if (theta0_) {
+        note_radians(read_exact(*theta0_));
+    }
+    return chosen;
 }
 
 chosen_motion motion_options::choose_for(const scalar_spec& scalar) const {

@@ -9,7 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "libration/pendulum/given_motion.hpp"
 #include "libration/pendulum/motion/motion.hpp"
+#include "libration/pendulum/motion/typed_motion.hpp"
 #include "libration/scalar/dispatch.hpp"
 
 namespace libration {
@@ -25,11 +27,8 @@ struct chosen_motion {
     std::string energy_typed, gap_typed, theta0_typed, omega0_typed;  ///< empty if they were not typed
 };
 
-/// gravity/length of --length and --gravity, 1 if neither is given. Throws input_error if only one of them is.
-exact squared_frequency_of(const std::optional<std::string>& length, const std::optional<std::string>& gravity);
-
-/// 1 or -1 of --direction + or -, 1 if it is not given. Throws input_error.
-int direction_of(const std::optional<std::string>& words);
+/// The numbers of options that are named like the fields; throws input_error.
+pendulum::typed_motion numbers_of_options(const pendulum::given_motion& given);
 
 /// --energy E | --gap G [--theta0 A] [--direction +|-], or --theta0 A --omega0 W; --length L --gravity G.
 class motion_options {
@@ -41,12 +40,11 @@ public:
     std::optional<std::string> first_given() const;
     /// The argument of the option with this name, for example "--energy".
     const std::optional<std::string>& given(std::string_view option) const;
-    exact squared_frequency() const { return squared_frequency_of(length_, gravity_); }
 
 private:
+    /// Throws input_error for options that do not determine one motion together, and for empty ones.
+    void require_one_motion() const;
     chosen_motion choose() const;
-    chosen_motion by_energy() const;
-    chosen_motion by_state() const;
 
     using named = std::pair<const char*, const std::optional<std::string>*>;
     std::array<named, 7> all() const;

@@ -109,9 +109,9 @@ void offer_motions(option_words& said, CLI::App& command) {
 
 std::vector<grid_motion> motions_of(const option_words& said) {
     require_one_kind(said);
-    typed_motion usual;
-    usual.direction = direction_of(said["--direction"]);
-    usual.squared_frequency = squared_frequency_of(said["--length"], said["--gravity"]);
+    const typed_motion usual = numbers_of_options({.direction = said["--direction"].value_or(""),
+                                                   .length = said["--length"].value_or(""),
+                                                   .gravity = said["--gravity"].value_or("")});
     std::vector<grid_motion> motions;
     if (said["--omega0"]) {
         add_by_state(motions, said, usual);

@@ -81,7 +81,7 @@ motion_truths& motion_questions::motion_for(const motion_cells& cells) {
         std::rotate(known_.begin(), found, found + 1);
         return *known_.front().second;
     }
-    const typed_motion typed = cells.read(rules_.inputs_are_doubles);
+    const typed_motion typed = cells.read({.of_programs = true, .as_doubles = rules_.inputs_are_doubles});
     known_.emplace(known_.begin(), key, std::make_unique<motion_truths>(typed, cells.motion_of(typed)));
     known_.resize(std::min(known_.size(), most_known_motions));
     return *known_.front().second;

@@ -58,7 +58,7 @@ private:
 // Complains of the options as every command does.
 void check_motion(const motion_options& motion) {
     const motion_cells cells = motion_cells::of(motion);
-    static_cast<void>(motion.squared_frequency());
+    numbers_of_options({.length = cells.length.text, .gravity = cells.gravity.text});
     const bool energetic = !cells.gap.text.empty() || !cells.energy.text.empty();
     if (energetic || (!cells.theta0.text.empty() && !cells.omega0.text.empty())) {
         motion.choose_for({scalar_kind::proved, 50});

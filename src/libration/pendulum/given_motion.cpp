@@ -1,8 +1,9 @@
 #include "libration/pendulum/given_motion.hpp"
 
+#include <optional>
+
 #include "libration/pendulum/motion/typed_motion.hpp"
 #include "libration/scalar/error.hpp"
-#include "libration/scalar/text/given_number.hpp"
 
 namespace libration::pendulum {
 
@@ -12,55 +13,73 @@ void refuse_both(const char* one, const std::string& value, const char* other) {
     throw error(error_kind::argument, one, value, std::string("comes together with the ") + other);
 }
 
-// A number without a unit: a fraction or a formula.
-exact pure_number(const std::string& quantity, const std::string& text) {
-    exact number = given_number(quantity, text);
-    if (!number.is_number()) {
-        throw error(error_kind::argument, quantity, text, "has a unit");
+// Why a number cannot be that of a field; empty if it can.
+std::string without_unit(const exact& number) { return number.is_number() ? "" : "has a unit"; }
+std::string positive(const exact& number) {
+    return !number.is_number() ? "has a unit" : sign_of_exact(number) <= 0 ? "is not positive" : "";
+}
+std::string angle(const exact& number) { return number.has_periods() ? "is a time" : ""; }
+
+// The number of a field, std::nullopt if it is omitted.
+std::optional<exact> number_in(const char* field, const std::string& text, const number_notation& by,
+                               std::string (*reason_against)(const exact&)) {
+    if (text.empty()) {
+        return std::nullopt;
     }
-    return number;
+    try {
+        const exact number = by.of_programs ? read_typed(text) : read_exact(text);
+        const std::string reason = reason_against(number);
+        if (!reason.empty()) {
+            throw error(error_kind::argument, field, text, reason);
+        }
+        return by.as_doubles ? nearest_double(number) : number;
+    } catch (const error& problem) {
+        throw error(problem.kind(), field, text, problem.reason());
+    }
 }
 
-exact positive_number(const std::string& quantity, const std::string& text) {
-    exact number = pure_number(quantity, text);
-    if (sign_of_exact(number) <= 0) {
-        throw error(error_kind::argument, quantity, text, "is not positive");
-    }
-    return number;
-}
-
-exact squared_frequency_of(const given_motion& given) {
+exact squared_frequency_of(const given_motion& given, const number_notation& by) {
     if (given.length.empty() != given.gravity.empty()) {
         throw error(error_kind::argument, given.length.empty() ? "gravity" : "length",
                     given.length.empty() ? given.gravity : given.length,
-                    given.length.empty() ? "comes without a length" : "comes without a gravity");
+                    given.length.empty() ? "comes without length" : "comes without gravity");
     }
-    return given.length.empty() ? exactly(1)
-                                : positive_number("gravity", given.gravity) / positive_number("length", given.length);
+    return given.length.empty()
+               ? exactly(1)
+               : *number_in("gravity", given.gravity, by, positive) / *number_in("length", given.length, by, positive);
 }
 
-int direction_of(const given_motion& given) {
-    if (given.direction.empty() || given.direction == "+") {
+int direction_of(const given_motion& given, const number_notation& by) {
+    const std::string& text = given.direction;
+    if (text.empty() || text == "+" || (by.of_programs && (text == "1" || text == "+1"))) {
         return 1;
     }
-    if (given.direction != "-") {
-        throw error(error_kind::argument, "direction", given.direction, "is neither + nor -");
+    if (text != "-" && !(by.of_programs && text == "-1")) {
+        throw error(error_kind::argument, "direction", text, "is neither + nor -");
     }
     return -1;
 }
 
-// The energy or the gap.
-void read_energy(const given_motion& given, typed_motion& typed) {
+void require_energy(const given_motion& given, const typed_motion& typed) {
     const bool by_gap = !given.gap.empty();
-    (by_gap ? typed.gap : typed.energy) = by_gap ? pure_number("gap", given.gap) : pure_number("energy", given.energy);
     if (sign_of_exact(typed.exact_energy()) < 0) {
         throw error(error_kind::argument, by_gap ? "gap" : "energy", by_gap ? given.gap : given.energy,
                     by_gap ? "makes the energy negative" : "is negative");
     }
-    typed.direction = direction_of(given);
 }
 
 }  // namespace
+
+typed_motion typed_numbers(const given_motion& given, const number_notation& by) {
+    typed_motion typed;
+    typed.squared_frequency = squared_frequency_of(given, by);
+    typed.theta0 = number_in("theta0", given.theta0, by, angle);
+    typed.omega0 = number_in("omega0", given.omega0, by, without_unit);
+    typed.gap = number_in("gap", given.gap, by, without_unit);
+    typed.energy = number_in("energy", given.energy, by, without_unit);
+    typed.direction = direction_of(given, by);
+    return typed;
+}
 
 typed_motion exact_numbers(const given_motion& given) {
     const bool energetic = !given.energy.empty() || !given.gap.empty();
@@ -76,15 +95,9 @@ typed_motion exact_numbers(const given_motion& given) {
     if (!energetic && !given.direction.empty()) {
         refuse_both("direction", given.direction, "omega0, which includes the sign");
     }
-    typed_motion typed;
-    typed.squared_frequency = squared_frequency_of(given);
-    if (!given.theta0.empty()) {
-        typed.theta0 = given_angle("theta0", given.theta0);
-    }
+    typed_motion typed = typed_numbers(given);
     if (energetic) {
-        read_energy(given, typed);
-    } else {
-        typed.omega0 = pure_number("omega0", given.omega0);
+        require_energy(given, typed);
     }
     return typed;
 }

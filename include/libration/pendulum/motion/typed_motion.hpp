@@ -30,4 +30,16 @@ struct typed_motion {
     typed_motion in_double() const;
 };
 
+struct given_motion;
+
+/// How numbers are written, and in what they are computed.
+struct number_notation {
+    bool of_programs = false;  ///< also hexadecimal floats, and the directions 1 and -1
+    bool as_doubles = false;   ///< the doubles nearest to the numbers, not these themselves
+};
+
+/// Each number by itself; together they may contradict each other. Throws error with the field of given_motion and its
+/// text for one that cannot be read, and for a length without gravity.
+typed_motion typed_numbers(const given_motion& given, const number_notation& by = {});
+
 }  // namespace libration::pendulum

@@ -1,0 +1,45 @@
+// `libration verify`: unknowns of equations with closed forms.
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "command/verified.hpp"
+
+namespace command_verify_problem_test {
+
+using namespace libration;
+using namespace libration::tests;
+using namespace libration::tests::verifying;
+
+// z = sin t is 0 at pi, which cannot be decided at any precision.
+TEST_CASE("verify names the value that is not decided", "[command][verify]") {
+    const auto done = verify("time,w,z\npi,1,0\n",
+                             {"--problem", "w' = 0; z'' = -z; w(0) = 1; z(0) = 0; z'(0) = 1", "--relative", "1e-10"});
+    CHECK(done.exit_code == 1);
+    CHECK(says(done, "z is not decided by"));
+}
+
+// z = tan t, and the unknowns of the equations are in a different order than in the file.
+TEST_CASE("verify compares unknowns beyond the end of others that they do not depend on", "[command][verify]") {
+    const auto rows = csv_rows(verify("time,z,w\n1.2,2.572151622126319,-1.2\n1.5,14.10141994717172,-1.25\n",
+                                      {"--problem", "y' = y^2; w' = -1; z' = 1 + z^2; y(0)=1; z(0)=0; w(0)=0"})
+                                   .out);
+    REQUIRE(rows.size() == 2);
+    CHECK(rows[0].at("verdict") == "ok");
+    CHECK(rows[1].at("verdict") == "miss");
+    CHECK(rows[1].at("z_reference").starts_with("14.10141994717171938"));
+    CHECK(rows[1].at("reference").starts_with("-1.5"));
+}
+
+// sin^2 t + cos^2 t - 1 = 0, which cannot be proved at any precision.
+TEST_CASE("verify accepts a value within its tolerance of a truth that is not told from 0", "[command][verify]") {
+    const auto rows = csv_rows(verify("time,y\n1,0\n2,1e-30\n3,1e-10\n",
+                                      {"--problem", "y' = 2*sin(t)*cos(t) - sin(2*t); y(0)=0", "--tolerance", "1e-20"})
+                                   .out);
+    REQUIRE(rows.size() == 3);
+    CHECK(rows[0].at("verdict") == "ok");
+    CHECK(rows[0].at("reference").empty());
+    CHECK(rows[1].at("verdict") == "ok");
+    CHECK(rows[2].at("verdict") == "miss");
+}
+
+}  // namespace command_verify_problem_test
