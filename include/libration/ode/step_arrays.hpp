@@ -190,10 +190,12 @@ R step_arrays<R>::centre(const tape_step& s) const {
     if (exact_ && s.centre) {
         return constant_value<R>::of(*s.centre);
     }
-    const rational order = s.kind == operation::primitive && s.constant >= 0
-                               ? tape_->constants()[static_cast<std::size_t>(s.constant)].fraction().value()
-                               : rational(0);
-    return function_value<R>(s.function, array(s.left)[0], &order);
+    const R& at = array(s.left)[0];
+    if (s.kind == operation::primitive && s.constant >= 0) {
+        const rational order = tape_->constants()[static_cast<std::size_t>(s.constant)].fraction().value();
+        return function_value<R>(s.function, at, &order);
+    }
+    return function_value<R>(s.function, at);  // allocates nothing
 }
 
 // The values that are specific to the functions themselves.
