@@ -154,7 +154,35 @@ component quotients(const constant& c, const constant& d, const constant& u, lon
     return made;
 }
 
-constexpr long kinds_with_coefficients = 10;
+// u' = a/(1-s)^r, r > 1 no integer: u0 + a/(r-1) ((1-s)^(1-r) - 1).
+component forced(const constant& a, const constant& u, const constant& r) {
+    component made{[=](typed_term, typed_term s) { return a.text + "/(1-" + s + ")^" + r.text; }, u,
+                   [=](const mpfr& s) {
+                       const mpfr e = 1 - r.value();
+                       return mpfr(u.value() - a.value() / e * (pow(mpfr(1 - s), e) - 1));
+                   }};
+    made.forward = 1;
+    made.coefficient = [=](long n) {
+        if (n == 0) {
+            return u.value();
+        }
+        const mpfr size = a.value() * binomial(mpfr(-r.value()), n - 1) / n;
+        return n % 2 == 0 ? mpfr(-size) : size;
+    };
+    made.singularities = [=](double) { return std::vector<place>{{[] { return mpfr(1); }, [] { return mpfr(0); }}}; };
+    return made;
+}
+
+constant any_fractional_exponent(choices& next) {
+    switch (next.below(4)) {
+        case 0: return {"(5/2)", [] { return mpfr(mpfr(5) / 2); }};
+        case 1: return {"(4/3)", [] { return mpfr(mpfr(4) / 3); }};
+        case 2: return {"(33/10)", [] { return mpfr(mpfr(33) / 10); }};
+        default: return {"pi", [] { return pi_value(); }};
+    }
+}
+
+constexpr long kinds_with_coefficients = 11;
 
 component of_kind(long kind, choices& next) {
     const constant a = any_constant(next);
@@ -170,8 +198,9 @@ component of_kind(long kind, choices& next) {
         case 7: return polynomial(a, u, next.between(0, 4));
         case 8: return logarithm(a, u);
         case 9: return quotients(a, any_constant(next), u, next.between(0, 2));
-        case 10: return tangent(a, u);
-        case 11: return logistic(a, u);
+        case 10: return forced(a, u, any_fractional_exponent(next));
+        case 11: return tangent(a, u);
+        case 12: return logistic(a, u);
         default: return hyperbolic(a, u);
     }
 }
@@ -229,12 +258,12 @@ component tangent(const constant& a, const constant& u) {
     return made;
 }
 
-component any_component(choices& next) { return of_kind(next.between(0, 12), next); }
+component any_component(choices& next) { return of_kind(next.between(0, 13), next); }
 
 component with_coefficients(choices& next) { return of_kind(next.between(0, kinds_with_coefficients - 1), next); }
 
 component with_singularities(choices& next) {
-    static constexpr std::array<long, 5> kinds{1, 2, 3, 4, 10};
+    static constexpr std::array<long, 6> kinds{1, 2, 3, 4, 10, 11};
     return of_kind(kinds[next.below(kinds.size())], next);
 }
 

@@ -609,6 +609,11 @@ FAULTS = [
         ("the steps of the first in the second", "return {5, 7, nullptr};", "return {5, 8, nullptr};"),
     ),
     *in_file(
+        "src/libration/ode/lifted_system.cpp", ["ode/lifted_system_test.cpp"],
+        ("a reciprocal continued along a path", "(has_one_value(all.added[k]) ? recomputed : places)", "places"),
+        ("the gradients of a path in the old order", "k = new_places[k];", ""),
+    ),
+    *in_file(
         "src/libration/ode/proved/singular_step.cpp", [ROUTES],
         ("a first step that is not where it says", "const ball distance = from_rational<ball>(step);",
          "const ball distance = route.shortened(magnitude::of(1, exponent)).exact() * 2;"),

@@ -2,6 +2,7 @@
 // the kernels of the functions.
 #include "libration/ode/lifted_system.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <string>
 
@@ -135,7 +136,9 @@ TEST_CASE("linear equations with entire coefficients have entire solutions", "[o
 
 // Values of functions of several values are continued along paths, all others recomputed.
 TEST_CASE("functions of several values are given unknowns of paths", "[ode]") {
-    const auto given = [](const std::string& text) { return lifted_for_paths(explicit_system(parse(text))).given; };
+    const auto given = [](const std::string& text) {
+        return lifted_for_paths(explicit_system(parse(text))).lifted.given;
+    };
     for (const std::string f : {"log", "sqrt", "asin", "acos", "atan"}) {
         INFO(f);
         CHECK(given("y' = " + f + "(1/2 + y/8); y(0) = 1/3") > 1);
@@ -144,6 +147,36 @@ TEST_CASE("functions of several values are given unknowns of paths", "[ode]") {
     for (const std::string f : {"exp", "sin", "cosh", "tan", "1/"}) {
         INFO(f);
         CHECK(given("y' = " + f + "(1/2 + y/8); y(0) = 1/3") == 1);
+    }
+}
+
+// The given unknowns come first, in an order that differs from that of the definitions: 1/w, w = u^r, precedes 1/u.
+TEST_CASE("the unknowns of paths have the values of their functions", "[ode]") {
+    const precision_scope scope(40);
+    const explicit_system system(parse("y' = 1/(2-t)^pi + exp(sqrt(y))/y; y(0) = 3"));
+    const lifted_system once = lifted(system);
+    const path_form paths = lifted_for_paths(system);
+    const auto all = lifted_values(once, mpfr(0), std::vector<mpfr>{3});
+    const auto on_path = lifted_values(paths.lifted, mpfr(0), paths.given_of(all));
+    REQUIRE(on_path.size() == all.size());
+    for (std::size_t i = 0; i < on_path.size(); ++i) {
+        const auto same = std::ranges::find(once.leaves, paths.lifted.leaves[i].name(), &ode::expression::name);
+        REQUIRE(same != once.leaves.end());
+        const mpfr& value = all[static_cast<std::size_t>(same - once.leaves.begin())];
+        CHECK(abs(mpfr(on_path[i] - value)) <= 8 * epsilon<mpfr>() * abs(value));  // at most 8 roundings
+    }
+    // Their derivatives by differences, whose error is about h times the second derivative.
+    const auto given = paths.given_of(all);
+    const auto varied = varied_values(paths.lifted, mpfr(0), given);
+    const mpfr h("1e-20");
+    for (std::size_t j = 0; j < given.size(); ++j) {
+        auto moved = given;
+        moved[j] += h;
+        const auto there = lifted_values(paths.lifted, mpfr(0), moved);
+        for (std::size_t i = 0; i < there.size(); ++i) {
+            const mpfr& derivative = varied[on_path.size() * (j + 1) + i];
+            CHECK(abs(mpfr((there[i] - on_path[i]) / h - derivative)) <= 100 * h);
+        }
     }
 }
 

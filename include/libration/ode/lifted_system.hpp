@@ -37,10 +37,27 @@ struct lifted_system {
 /// Throws error if the initial point is singular: the system has no polynomial form about it.
 lifted_system lifted(const explicit_system& of);
 
-/// The same for paths in the complex t-plane: if a multivalued function was added (a logarithm, a root, an inverse
-/// function), every unknown counts as given and is continued along the path instead of being recomputed from an
-/// argument that may have gone around a branch point.
-lifted_system lifted_for_paths(const explicit_system& of);
+/// The polynomial form for paths in the complex t-plane: functions of several values (logarithms, roots, inverse
+/// functions) count as given, after the given unknowns, and are continued along the path instead of being recomputed
+/// from an argument that may have gone around a branch point. The others are recomputed: continued by q' = -q^2 u', 1/u
+/// would keep a constant error, however small u becomes.
+struct path_form {
+    lifted_system lifted;
+    /// The index of each of its given unknowns among all those of lifted(of).
+    std::vector<std::size_t> places;
+
+    /// Its given unknowns from all those of lifted(of).
+    template <class R>
+    std::vector<R> given_of(const std::vector<R>& all) const {
+        std::vector<R> result;
+        for (const std::size_t place : places) {
+            result.push_back(all[place]);
+        }
+        return result;
+    }
+};
+
+path_form lifted_for_paths(const explicit_system& of);
 
 /// Whether every solution is analytic in the whole plane by the form of the equations: the right-hand sides of each
 /// strongly connected component are of degree 1 in its own unknowns, with coefficients that are polynomials,

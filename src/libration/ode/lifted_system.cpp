@@ -1,6 +1,7 @@
 #include "libration/ode/lifted_system.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
@@ -259,6 +260,34 @@ bool is_linear_with_entire_coefficients(const expression& right, const IsOwn& is
         right, [&](const expression& leaf) { return is_own(leaf) ? std::optional(expression(0)) : std::nullopt; }));
 }
 
+// The same system with the unknowns at `given` first, which have no definitions, and then the others, which are
+// functions of those before them.
+lifted_system with_given(const lifted_system& all, const std::vector<std::size_t>& given,
+                         const std::vector<std::size_t>& others) {
+    std::vector<std::size_t> order = given;
+    order.insert(order.end(), others.begin(), others.end());
+    std::vector<std::size_t> new_places(order.size());
+    std::vector<expression> leaves;
+    std::vector<expression> right;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        new_places[order[i]] = i;
+        leaves.push_back(all.leaves[order[i]]);
+        right.push_back(all.system.right()[order[i]]);
+    }
+    std::vector<expression> added;
+    std::vector<gradient> gradients;
+    for (const std::size_t each : others) {
+        added.push_back(all.added[each - all.given]);
+        gradient by = all.gradients[each - all.given];
+        for (auto& [k, derivative] : by) {
+            k = new_places[k];
+        }
+        gradients.push_back(std::move(by));
+    }
+    return {explicit_system::first_order(leaves, std::move(right), all.system.point()), given.size(), std::move(added),
+            std::move(gradients), leaves};
+}
+
 // Points where a function has a series but its derivative divides by its argument.
 function::singular_points points_without_form(function_kind f) {
     return function::with_function(f, [](auto of) {
@@ -292,9 +321,18 @@ void require_polynomial_form(const explicit_system& of) {
 
 }  // namespace
 
-lifted_system lifted_for_paths(const explicit_system& of) {
-    lifted_system once = lifted(of);
-    return std::ranges::all_of(once.added, has_one_value) ? once : lifted(once.system);
+path_form lifted_for_paths(const explicit_system& of) {
+    lifted_system all = lifted(of);
+    std::vector<std::size_t> places(all.given);
+    std::iota(places.begin(), places.end(), std::size_t{0});
+    std::vector<std::size_t> recomputed;
+    for (std::size_t k = 0; k < all.added.size(); ++k) {
+        (has_one_value(all.added[k]) ? recomputed : places).push_back(all.given + k);
+    }
+    if (places.size() == all.given) {
+        return {std::move(all), std::move(places)};
+    }
+    return {with_given(all, places, recomputed), places};
 }
 
 bool has_entire_solutions(const explicit_system& of) {

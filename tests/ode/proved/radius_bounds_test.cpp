@@ -283,9 +283,18 @@ TEST_CASE("all singularities of a map are proved, mirror images once", "[ode][pr
     CHECK_THROWS_WITH(prove_singularity(system, doubted, mpfr("1e-3")), Catch::Contains("no change or integral"));
 }
 
-TEST_CASE("bounds that no covering reaches are told", "[ode][proved][singularity]") {
+// y' = (1/(1 - t/25) - (1 - t/25))/2: the reciprocal of a function that vanishes at 25, next to a root of it.
+TEST_CASE("the radius of a linear pursuit is that of its closed form", "[ode][proved][singularity]") {
     const explicit_system pursuit(parse(std::string(problem_text("detest_e5"))));
-    CHECK_THROWS_WITH(prove_radius(pursuit, 6), Catch::Contains("both proved; more is not"));
+    const precision_scope scope(40);
+    const auto bounds = outward_decimals(prove_radius(pursuit, 1), 1);
+    CHECK(mpfr(bounds.lower) <= 25);
+    CHECK(25 <= mpfr(bounds.upper));
+}
+
+TEST_CASE("bounds that no covering reaches are told", "[ode][proved][singularity]") {
+    const explicit_system stiff(parse(std::string(problem_text("stiff_d6"))));
+    CHECK_THROWS_WITH(prove_radius(stiff, 4), Catch::Contains("both proved; more is not"));
     const precision_scope scope(40);
     const auto entire = outward_decimals(prove_radius(typed("y' = y; y(0) = 1"), 5), 5);
     CHECK(entire.lower == "inf");

@@ -82,6 +82,18 @@ TEST_CASE("kinds and exponents of closed forms", "[ode][singularity]") {
     CHECK_FALSE(map_of("y'' = -y/(1 + t^2); y(0) = 0; y'(0) = 1").entire);
 }
 
+// y = 1 + ((1-t)^(1-r) - 1)/(r-1): 1/w, w = (1-t)^r, is computed from w, which is continued.
+TEST_CASE("reciprocals of powers are followed to their singularity", "[ode][singularity]") {
+    for (const auto& [r, value] : {std::pair{"(5/2)", 2.5}, {"(33/10)", 3.3}, {"pi", std::numbers::pi}}) {
+        CAPTURE(r);
+        const auto map = map_of(std::string("y' = 1/(1-t)^") + r + "; y(0) = 1", 2).all;
+        REQUIRE(map.size() == 1);
+        CHECK(std::abs(place(map.front()) - 1.0) <= static_cast<double>(map.front().uncertainty) + slack);
+        CHECK(std::abs(map.front().exponent - (1 - value)) < 1e-6);
+        CHECK(std::abs(map.front().coefficient - 1 / (value - 1)) < 1e-6);
+    }
+}
+
 TEST_CASE("kinds in words", "[ode][singularity]") {
     CHECK(words_of(singularity_kind::branch_pole, -2) == "pole of order 2 with branches");
     CHECK(words_of(singularity_kind::complex_power, -1) == "complex power");

@@ -53,7 +53,7 @@ private:
     struct without_start {};
     complex_flow(const explicit_system& system, long bits, const proof_route& route, without_start);
 
-    lifted_system lifted_;
+    path_form form_;
     tape tape_, varied_tape_;
     std::size_t given_ = 0;
     long bits_;

@@ -21,7 +21,7 @@ namespace libration::ode {
 struct path_system {
     explicit path_system(const explicit_system& system);
 
-    lifted_system lifted;
+    path_form form;
     tape points;
     number origin;
     /// Number of unknowns and lower derivatives of the given system; they are the first of the carried unknowns, in
@@ -64,7 +64,7 @@ public:
             values.push_back(constant_value<complex>::of(each));
         }
         if (of_->first) {
-            values = lifted_values(*of_->first, complex(origin_), values);
+            values = of_->form.given_of(lifted_values(*of_->first, complex(origin_), values));
         }
         about(complex(0), values);
     }
@@ -75,7 +75,7 @@ public:
         offset_ = offset;
         const complex time = complex(origin_) + offset;
         solution_state<complex> state;
-        for (complex& each : lifted_values(of_->lifted, time, values)) {
+        for (complex& each : lifted_values(of_->form.lifted, time, values)) {
             state.push_back({std::move(each)});
         }
         expansion_.about(time, state);
@@ -84,7 +84,7 @@ public:
     const complex& offset() const { return offset_; }
     int order() const { return expansion_.order(); }
     /// Number of carried unknowns, and how many of them, the first ones, are given.
-    std::size_t carried() const { return of_->lifted.given; }
+    std::size_t carried() const { return of_->form.lifted.given; }
     std::size_t given() const { return of_->given; }
     const complex* coefficients(std::size_t unknown) const {
         return at_singular_start_.empty() ? expansion_.coefficients(static_cast<int>(unknown))

@@ -115,9 +115,9 @@ bool certainly_within(const complex_ball& z, const magnitude& r) {
 }
 
 complex_flow::complex_flow(const explicit_system& system, long bits, const proof_route& route, without_start)
-    : lifted_(lifted_for_paths(beyond_start(system))),
-      tape_(tape::about_points(lifted_.system)),
-      varied_tape_(tape::about_points(with_variations(lifted_))),
+    : form_(lifted_for_paths(beyond_start(system))),
+      tape_(tape::about_points(form_.lifted.system)),
+      varied_tape_(tape::about_points(with_variations(form_.lifted))),
       given_(first_order_form(system).leaves.size()),
       bits_(bits),
       route_(route) {
@@ -139,8 +139,8 @@ complex_flow::complex_flow(const explicit_system& system, long bits, const proof
         return;
     }
     start_ = enclosed_start(system, bits);
-    if (lifted_.given != given_) {
-        start_ = lifted_values(lifted(system), origin_, start_);
+    if (form_.lifted.given != given_) {
+        start_ = form_.given_of(lifted_values(lifted(system), origin_, start_));
     }
 }
 
@@ -173,20 +173,20 @@ void complex_disc::expand() {
     const auto time = [&] { return complex_ball(flow.origin_ + set_.offset.re, set_.offset.im); };
     {
         const precision_scope scope(decimal_digits(complex_flow::usual_error_bits));
-        const auto varied = varied_values(flow.lifted_, time(), values_of(set_));
+        const auto varied = varied_values(flow.form_.lifted, time(), values_of(set_));
         if (!all_finite(varied)) {
             throw precision_exhausted("a point of a path");
         }
         of_set_ = std::make_unique<taylor_expansion<complex_ball>>(flow.varied_tape_,
                                                                    complex_set_order + flow.route_.more_terms);
         of_set_->about(time(), as_state(varied));
-        set_tail_ = tail_about(flow.varied_tape_, *of_set_, time(), flow.lifted_.leaves.size());
+        set_tail_ = tail_about(flow.varied_tape_, *of_set_, time(), flow.form_.lifted.leaves.size());
     }
     if (!set_tail_) {
         throw precision_exhausted("the radius about a point of a path");
     }
     const precision_scope scope(decimal_digits(bits_));
-    const auto all = lifted_values(flow.lifted_, time(), set_.centre);
+    const auto all = lifted_values(flow.form_.lifted, time(), set_.centre);
     const int order = static_cast<int>(static_cast<double>(bits_) * terms_for_a_bit) + flow.route_.more_terms;
     of_centre_ = std::make_unique<taylor_expansion<complex_ball>>(flow.tape_, order);
     of_centre_->about(time(), as_state(all));
@@ -214,7 +214,7 @@ std::vector<complex_ball> complex_disc::image_at(const complex_ball& distance) c
 // The derivative of the flow with respect to the initial set, in the scales before and after, real parts first.
 ball_matrix complex_disc::scaled_map(const complex_ball& distance, const std::vector<long>& scales) const {
     const auto state = of_set_->at(distance);
-    const std::size_t count = flow_->lifted_.leaves.size();
+    const std::size_t count = flow_->form_.lifted.leaves.size();
     const std::size_t size = set_.centre.size();
     const magnitude away = size_of(distance);
     ball_matrix map(2 * size, std::vector<ball>(2 * size, ball(0)));

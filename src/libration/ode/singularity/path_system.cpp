@@ -14,8 +14,8 @@ namespace {
 }  // namespace
 
 path_system::path_system(const explicit_system& system)
-    : lifted(lifted_for_paths(beyond_start(system))),
-      points(tape::about_points(lifted.system)),
+    : form(lifted_for_paths(beyond_start(system))),
+      points(tape::about_points(form.lifted.system)),
       origin(system.point()) {
     for (const unknown_function& each : system.unknowns()) {
         functions.push_back(given);
@@ -29,10 +29,10 @@ path_system::path_system(const explicit_system& system)
         if (singular->root() != 1) {
             refuse_start("powers of a root of the distance");
         }
-        if (lifted.given != given) {
+        if (form.lifted.given != given) {
             refuse_start("functions of several values");
         }
-    } else if (lifted.given != given) {
+    } else if (form.lifted.given != given) {
         first = ode::lifted(system);
     }
 }

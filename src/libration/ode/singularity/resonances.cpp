@@ -85,10 +85,10 @@ std::vector<std::complex<double>> resonances_at(const path_system& of, const com
         return {};
     }
     // The first coefficient of a variation whose initial value is a unit vector is a column of the derivative.
-    const tape varied = tape::about_points(with_variations(of.lifted));
+    const tape varied = tape::about_points(with_variations(of.form.lifted));
     taylor_expansion<complex> expansion(varied, 1);
     solution_state<complex> state;
-    for (complex& each : varied_values(of.lifted, time, carried)) {
+    for (complex& each : varied_values(of.form.lifted, time, carried)) {
         state.push_back({std::move(each)});
     }
     expansion.about(time, state);
@@ -98,7 +98,7 @@ std::vector<std::complex<double>> resonances_at(const path_system& of, const com
         p.push_back(finite ? std::complex<double>(0) : each);
     }
     const complex logarithm = log(tau);
-    const std::size_t count = of.lifted.leaves.size();
+    const std::size_t count = of.form.lifted.leaves.size();
     number_matrix k(size, std::vector<number_pair>(size));
     for (std::size_t i = 0; i < size; ++i) {
         for (std::size_t j = 0; j < size; ++j) {

@@ -26,7 +26,7 @@ singularity_search::singularity_search(const path_system& of, std::vector<leaf_g
     : of_(of),
       watch_(watch),
       groups_(std::move(groups)),
-      carried_(of.lifted.given),
+      carried_(of.form.lifted.given),
       rotation_(rotation),
       most_points_(most_points),
       series_(of, search_order) {
