@@ -52,6 +52,24 @@ TEST_CASE("no root is proved where the derivative over its box is not known", "[
     CHECK_THROWS_AS(proved_root(open, {number(rational(3, 2))}, 20), error);
 }
 
+// x = 0 within 2^(-bits/8): proved in wide boxes first.
+TEST_CASE("a root that is not distinguished from 0 has a bound below its digits", "[ode][proved]") {
+    const map_of_unknowns wide = [](const std::vector<ball>& x, long bits, long) {
+        return std::optional(enclosed_map{{widened(x[0], magnitude::of(1, -bits / 8))}, {{ball(1)}}});
+    };
+    const auto root = proved_part_of_root(wide, {number(rational(0))}, 20);
+    CHECK_FALSE(root[0].decimal);
+    const precision_scope scope(40);
+    CHECK(mpfr(root[0].bound) < mpfr("1e-20"));
+}
+
+TEST_CASE("conditions without a finite value are named in the message", "[ode][proved]") {
+    const map_of_unknowns infinite = [](const std::vector<ball>& x, long, long) {
+        return std::optional(enclosed_map{{ball(1) / (x[0] - x[0])}, {{ball(1)}}});
+    };
+    CHECK_THROWS_WITH(proved_root(infinite, {number(rational(1))}, 20), Catch::Contains("with residual not finite"));
+}
+
 // y = k sin t: k = 2/sin 1. And y' = y (1 - y/c), y(0) = s: two unknowns from y(1) = 1/2, y(2) = 1 in closed form:
 // u = 1/y solves u' = 1/c - u, u = 1/c + (1/s - 1/c) e^-t.
 TEST_CASE("unknown parameters and starts with conditions in closed form", "[ode][proved]") {

@@ -55,4 +55,52 @@ TEST_CASE("a pole is proved without its order where regular coordinates have no 
     CHECK(prove_singularity(system, found, mpfr("1e-10")).pole_order == 0);
 }
 
+namespace {
+
+// Throws an error of this kind at step number `last` of this kind, counted in `steps`.
+proof_route ended_route(long& steps, plane_step of, long last, error_kind kind) {
+    proof_route route;
+    route.watch = [&steps, of, last, kind](plane_step step) {
+        steps += step == of ? 1 : 0;
+        if (steps == last) {
+            throw error(kind, "work", "", "was ended");
+        }
+    };
+    return route;
+}
+
+}  // namespace
+
+TEST_CASE("singularities without a proof have the reason", "[ode][proved][singularity]") {
+    const explicit_system system = typed("y' = y^2; y(0) = 1");
+    auto found = singularities_of(system, {.within = 2, .digits = 20}).all;
+    long steps = 0;
+    const auto ended =
+        prove_singularities(system, found, 10, {}, ended_route(steps, plane_step::disc, 1, error_kind::undecided));
+    CHECK(ended.front().refusal == "was not decided: work was ended");
+    steps = 0;
+    CHECK_THROWS_WITH(
+        prove_singularities(system, found, 10, {}, ended_route(steps, plane_step::disc, 1, error_kind::argument)),
+        "work was ended");
+    found.front().offset.re += mpfr("0.25");
+    CHECK(prove_singularities(system, found, 10).front().refusal.find("no change or integral") != std::string::npos);
+}
+
+TEST_CASE("a proof of a radius that is ended passes the reason on, with the bounds so far",
+          "[ode][proved][singularity]") {
+    const explicit_system system = typed("y' = y^2; y(0) = 1");
+    long steps = 0;
+    CHECK_THROWS_WITH(prove_radius(system, 3, ended_route(steps, plane_step::point, 1, error_kind::undecided)),
+                      "work was ended");
+    steps = 0;
+    prove_radius(system, 3, ended_route(steps, plane_step::disc, -1, error_kind::undecided));
+    const long discs = steps;
+    steps = 0;
+    CHECK_THROWS_WITH(prove_radius(system, 3, ended_route(steps, plane_step::disc, discs, error_kind::undecided)),
+                      Catch::Contains("proved; a lower bound is not: work was ended"));
+    steps = 0;
+    CHECK_THROWS_WITH(prove_radius(system, 3, ended_route(steps, plane_step::disc, discs, error_kind::argument)),
+                      "work was ended");
+}
+
 }  // namespace ode_proved_proved_singularity_test
