@@ -123,7 +123,7 @@ radius_estimate<T> lacunary_verdict(const std::vector<radius_estimate<T>>& tests
             radius_estimate<T> verdict = each;
             verdict.method = "verdict";
             verdict.kind = singularity_kind::boundary;
-            verdict.note = "by root: no other test is meant for growing gaps";
+            verdict.note = "by root: no other test applies to growing gaps";
             return verdict;
         }
     }
@@ -241,7 +241,7 @@ witness<T> witness_of(const std::vector<weighed_answer<T>>& answers, std::size_t
     if (contradicts != nullptr) {
         return {", contradicted by " + contradicts->of->method, doubt};
     }
-    return {", confirmed by no other test", T(own * (answers[lead].of->may_decide ? 4 : 2))};
+    return {", not confirmed by another test", T(own * (answers[lead].of->may_decide ? 4 : 2))};
 }
 
 /// If an agreeing test that may decide has detected a nearer, weaker singularity, the uncertainty is twice its
@@ -259,7 +259,7 @@ void add_nearer(witness<T>& said, const std::vector<weighed_answer<T>>& answers,
         const T apart = abs(answers[lead].radius() - other.radius());
         const bool agrees = apart <= answers[lead].uncertainty + other.uncertainty;
         if (agrees && other.of->may_decide && other.of->nearer * 2 > said.uncertainty) {
-            said = {", doubted by a nearer root of " + other.of->method, T(other.of->nearer * 2)};
+            said = {", contradicted by a nearer root of " + other.of->method, T(other.of->nearer * 2)};
         }
     }
 }

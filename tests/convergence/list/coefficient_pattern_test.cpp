@@ -42,7 +42,7 @@ TEST_CASE("classes of indices are found, with exceptions at the beginning", "[co
     CHECK(found.stride == 4);
     CHECK(found.first == 2);
     CHECK(found.exceptions == 2);
-    CHECK(found.text() == "only n = 2 mod 4 is other than 0, with 2 exceptions in the first quarter");
+    CHECK(found.text() == "only n = 2 mod 4 are nonzero, with 2 exceptions in the first quarter");
 }
 
 TEST_CASE("zeros inside of a class are counted and do not hide it", "[convergence][coefficient_pattern]") {
@@ -84,7 +84,7 @@ TEST_CASE("a polynomial, nothing at all, and too little", "[convergence][coeffic
     const auto polynomial = of(list(40, [](int n) { return n <= 7; }));
     CHECK(polynomial.polynomial);
     CHECK(polynomial.last == 7);
-    CHECK(polynomial.text() == "no coefficient after n = 7 is other than 0");
+    CHECK(polynomial.text() == "all coefficients after n = 7 are 0");
     const auto nothing = of(power_series<double>::zero(10));
     CHECK(nothing.last == -1);
     CHECK(nothing.text() == "all coefficients are 0");

@@ -25,20 +25,21 @@ struct coefficient_pattern {
     bool lacunary = false;    ///< at most a quarter of the class is nonzero in its second half
     bool polynomial = false;  ///< all coefficients of the second half are 0
 
-    /// As text: "all coefficients but n = 2 mod 4 are 0, with 1 exception below".
+    /// As text: "only n = 2 mod 4 are nonzero, with 1 exception in the first quarter".
     std::string text() const {
         if (last < 0) {
             return "all coefficients are 0";
         }
         if (polynomial) {
-            return "no coefficient after n = " + std::to_string(last) + " is other than 0";
+            return "all coefficients after n = " + std::to_string(last) + " are 0";
         }
         if (lacunary) {
             return "a lacunary series: its gaps grow";
         }
-        std::string all = stride == 1 ? "no pattern of zeros"
-                                      : "only n = " + std::to_string(first % stride) + " mod " +
-                                            std::to_string(stride) + " is other than 0";
+        std::string all = stride == 1   ? "no pattern of zeros"
+                          : stride == 2 ? std::string("only ") + (first % 2 == 0 ? "even" : "odd") + " n are nonzero"
+                                        : "only n = " + std::to_string(first % stride) + " mod " +
+                                              std::to_string(stride) + " are nonzero";
         if (exceptions > 0) {
             all += ", with " + std::to_string(exceptions) + (exceptions == 1 ? " exception" : " exceptions") +
                    " in the first quarter";

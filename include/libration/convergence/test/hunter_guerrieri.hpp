@@ -159,8 +159,9 @@ radius_estimate<T> hunter_guerrieri(const strided_series<T>& c) {
     const auto exponent = extrapolated_limit(sequences.exponent);
     const pair_quadratic<T> pair{s.value, d.value};
     if (!(d.value > 0) || !pair.conjugate(c.last())) {
-        return no_estimate<T>(method,
-                              "its quadratic has no pair of roots whose angle could be seen: no pair of singularities");
+        return no_estimate<T>(
+            method,
+            "the roots of its quadratic are not distinguished from real ones: no conjugate pair of singularities");
     }
     radius_estimate<T> result;
     result.method = method;

@@ -92,8 +92,8 @@ radius_estimate<T> mercer_roberts(const strided_series<T>& c) {
     const auto cosine = extrapolated_limit(plot.cosines);
     const pair_quadratic<T> pair{T(intercept.value * cosine.value * 2), T(intercept.value * intercept.value)};
     if (!(intercept.value > 0) || !pair.conjugate(c.last())) {
-        return no_estimate<T>(method, "the cosine " + to_decimal(cosine.value, 6) +
-                                          " is of no angle that could be seen: no pair of singularities");
+        return no_estimate<T>(method, "the estimated cosine " + to_decimal(cosine.value, 6) +
+                                          " is that of no conjugate pair of singularities");
     }
     const auto exponent = fitting::exponent_from_slope(plot.roots, intercept, c.stride());
     radius_estimate<T> result;

@@ -88,7 +88,8 @@ radius_estimate<T> six_term_test(const strided_series<T>& c) {
         return no_estimate<T>(method, "its roots are real: no conjugate pair of singularities");
     }
     if (!solution->pair.conjugate(c.last())) {
-        return no_estimate<T>(method, "its roots have no angle that could be seen: no pair of singularities");
+        return no_estimate<T>(method,
+                              "its roots are not distinguished from real ones: no conjugate pair of singularities");
     }
     const auto radius = settled_range(radii);
     const auto exponent = settled_range(exponents);

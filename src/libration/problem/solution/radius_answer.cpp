@@ -94,7 +94,7 @@ std::string nearest_in_words(const radius_estimate<mpfr>& estimate, const estima
                  : estimate.count == 2 ? " and the point symmetric to it"
                                        : "";
     }
-    return estimate.kind == singularity_kind::unknown ? words + ", of a kind that the coefficients do not decide"
+    return estimate.kind == singularity_kind::unknown ? words + ", of undetermined kind"
                                                       : words;
 }
 
