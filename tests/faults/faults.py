@@ -552,8 +552,17 @@ FAULTS = [
         "src/libration/ode/rigorous/tube_proof.cpp", ["ode/proved/stiff_test.cpp"],
         ("the set at the beginning of a tube forgotten", "old(i, j) = shifted(errors.columns()[j][i], -of.scales[i]);",
          "old(i, j) = ball(0);"),
-        ("half of the defect of a curve", "turned.push_back(forms_.supremum(sum));",
-         "turned.push_back(forms_.supremum(sum).shifted(-1));"),
+    ),
+    *in_file(
+        "src/libration/ode/rigorous/coefficient_suprema.cpp", ["ode/proved/stiff_test.cpp"],
+        ("half of the defect of a curve", "result.defect.push_back(forms_.supremum(sum));",
+         "result.defect.push_back(forms_.supremum(sum).shifted(-1));"),
+    ),
+    *in_file(
+        "src/libration/ode/rigorous/node_suprema.cpp", ["ode/proved/step_suprema_test.cpp"],
+        ("values at nodes taken for a supremum", "each *= at.factor(degree);", "each *= at.factor(0 * degree);"),
+        ("the rate at midpoints taken for its maximum",
+         "upper_bound(widened(value, reach / static_cast<unsigned long>(values_.size())))", "upper_bound(value)"),
     ),
     *in_file(
         "src/libration/ode/rigorous/lifted_set.cpp", ["ode/proved/lifted_set_test.cpp"],

@@ -47,8 +47,9 @@ struct tube_set : state_set {
 /// K2. Let W be polynomials with W V = 1 + Z, |Z| <= z entry by entry, q < 1 a bound of the row sums of z. Then V^-1 =
 /// (1 + N) W with |N| <= n = z + (row sums of z^2)/(1 - q). With J = f_y(t, p) and |f_y(t, y) - J| <= D on U(t)
 ///     |B - W (J V - V')| <= n |W (J V - V')| + (1 + n) |W| D |V|,    |d| <= (1 + n) |W (p' - f(t, p))|.
-/// On polynomials |.| is the sum of |Chebyshev coefficients|, a bound on [-1, 1]. W (p' - f) is multiplied out before
-/// bounds are taken, so that the slow rows are not affected by the stiffness of the fast ones.
+/// On polynomials |.| is a bound on [-1, 1]: the sum of |Chebyshev coefficients|, or the largest |value| at M nodes times
+/// 1/cos(pi m/(2M)), m < M at least the degree [EhlichZeller1964]. W (p' - f) is multiplied out before bounds are taken,
+/// so that the slow rows are not affected by the stiffness of the fast ones.
 class solution_tube {
 public:
     step_interval on;

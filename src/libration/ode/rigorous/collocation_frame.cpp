@@ -9,13 +9,16 @@ namespace libration::ode {
 
 namespace {
 
-// The decimal digits of frames, and log2 of the norm of their inverses from which the slow columns are chosen again.
-constexpr double digits_of_frame = 15;
+// Log2 of the norm of their inverses from which the slow columns are chosen again.
 constexpr long kept_inverse = 10;    // 2^10
 constexpr long usable_inverse = 20;  // 2^20
 constexpr int most_refinements = 6;
 // Smaller than every radius, so that the columns of the error set have priority.
 constexpr long last_resort = -100'000;
+
+// The decimal digits of frames: an error e of a frame lets the radii of slow modes grow by e + e^2 |lambda| per step,
+// lambda of the fastest mode and with the time x.
+double digits_of_frame(double stiffness) { return std::clamp(4 + std::log10(stiffness) / 2, 7., 15.); }
 
 dense_matrix of_columns(const ball_columns& slow, const ball_columns& fast) {
     const std::size_t size = slow.size() + fast.size();
@@ -44,6 +47,8 @@ std::vector<ball> of_length_1(std::vector<ball> v) {
 // longest combinations with slow modes of the middle, and in it, along the fast columns, a basis of the largest columns
 // of the error set, by Lohner's rule.
 bool collocation_solver::slow_start(ball_columns& slow) {
+    // The columns of an error set times their radii may be nearly dependent.
+    const precision_scope scope(decimal_digits(accuracy_.product_bits));
     const std::size_t asked = modes_->slow.size();
     ball_columns old;
     ball_columns lengths_1;
@@ -97,55 +102,72 @@ bool collocation_solver::slow_start(ball_columns& slow) {
     return true;
 }
 
-// The solutions of s' = J s with these initial values, at the nodes, by the factors of Newton's matrix.
-std::optional<collocation_solver::columns_at_nodes> collocation_solver::slow_columns(const ball_columns& start) const {
-    columns_at_nodes result;
-    const auto n = static_cast<int>(count());
-    for (const auto& begin : start) {
-        std::vector<ball> now;
-        for (std::size_t k = 0; k < nodes_.size(); ++k) {
-            now.insert(now.end(), begin.begin(), begin.end());
-        }
-        for (int refined = 0; refined < most_refinements; ++refined) {
-            std::vector<ball> slopes;
-            for (std::size_t k = 0; k < nodes_.size(); ++k) {
-                for (std::size_t a = 0; a < count(); ++a) {
-                    slopes.push_back(
-                        midpoint_alone(inner_product(&jacobians_[k].entries[a * count()], 1, &now[k * count()], 1, n)));
-                }
-            }
-            std::vector<ball> rest;
-            for (std::size_t i = 0; i < nodes_.size(); ++i) {
-                for (std::size_t a = 0; a < count(); ++a) {
-                    const ball sum = inner_product(&nodes_.integrals().entries[i * nodes_.size()], 1, &slopes[a], n,
-                                                   static_cast<int>(nodes_.size()));
-                    rest.push_back(midpoint_alone(begin[a] + sum - now[i * count() + a]));
-                }
-            }
-            const double size = log_of(correct(rest)) * std::log10(2.);
-            if (!(size < 20)) {
-                return std::nullopt;
-            }
-            for (std::size_t i = 0; i < now.size(); ++i) {
-                now[i] = midpoint_alone(now[i] + rest[i]);
-            }
-            if (size < -digits_of_frame - 7) {
-                break;
+// J s at the nodes, by the entries of J that are not identically 0.
+std::vector<ball> collocation_solver::slopes_of_columns(const std::vector<ball>& at_nodes, std::size_t columns) const {
+    std::vector<ball> result(at_nodes.size());
+    const std::size_t stride = count() * columns;
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+        for (const auto& [i, m] : map_.places()) {
+            const ball& entry = jacobians_[k](i, m);
+            for (std::size_t j = 0; j < columns; ++j) {
+                arb_addmul(result[k * stride + i * columns + j].handle(), entry.handle(),
+                           at_nodes[k * stride + m * columns + j].handle(), ball::working_bits());
             }
         }
-        result.push_back(std::move(now));
+    }
+    for (ball& each : result) {
+        each = midpoint_alone(each);
     }
     return result;
 }
 
+// The solutions of s' = J s with these initial values at the nodes, in the order of correct(), by the factors of
+// Newton's matrix.
+std::optional<std::vector<ball>> collocation_solver::slow_columns(const ball_columns& start) const {
+    const std::size_t columns = start.size();
+    const std::size_t stride = count() * columns;
+    std::vector<ball> begin;
+    for (std::size_t i = 0; i < stride; ++i) {
+        begin.push_back(start[i % columns][i / columns]);
+    }
+    std::vector<ball> now;
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+        now.insert(now.end(), begin.begin(), begin.end());
+    }
+    for (int refined = 0; refined < most_refinements && columns > 0; ++refined) {
+        const std::vector<ball> slopes = slopes_of_columns(now, columns);
+        std::vector<ball> rest;
+        rest.reserve(now.size());
+        for (std::size_t i = 0; i < now.size(); ++i) {
+            const ball sum =
+                inner_product(&nodes_.integrals().entries[i / stride * nodes_.size()], 1, &slopes[i % stride],
+                              static_cast<int>(stride), static_cast<int>(nodes_.size()));
+            rest.push_back(midpoint_alone(begin[i % stride] + sum - now[i]));
+        }
+        const magnitude correction = correct(rest, columns);
+        const double size = log_of(correction) * std::log10(2.);
+        if (!(size < 20)) {
+            return std::nullopt;
+        }
+        for (std::size_t i = 0; i < now.size(); ++i) {
+            now[i] = midpoint_alone(now[i] + rest[i]);
+        }
+        // The next correction would be smaller by as much as this one.
+        if (size < -digits_of_frame(stiffness_) / 2 - 2) {
+            break;
+        }
+    }
+    return now;
+}
+
 // Powers of x of the interpolant, without Chebyshev coefficients below 10^below of its largest one.
-ball_polynomial collocation_solver::interpolated(const std::vector<ball>& in_nodes, double below) const {
+ball_polynomial collocation_solver::interpolated(const ball* in_nodes, int stride, double below) const {
     std::vector<ball> chebyshev;
     std::vector<double> sizes;
     double largest = -1e300;
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
-        chebyshev.push_back(midpoint_alone(inner_product(&nodes_.coefficients().entries[k * nodes_.size()], 1,
-                                                         in_nodes.data(), 1, static_cast<int>(nodes_.size()))));
+        chebyshev.push_back(midpoint_alone(inner_product(&nodes_.coefficients().entries[k * nodes_.size()], 1, in_nodes,
+                                                         stride, static_cast<int>(nodes_.size()))));
         sizes.push_back(log_of(magnitude(chebyshev.back())) * std::log10(2.));
         largest = std::max(largest, sizes.back());
     }
@@ -154,6 +176,7 @@ ball_polynomial collocation_solver::interpolated(const std::vector<ball>& in_nod
         kept = sizes[k] > std::min(0., largest) + below ? k + 1 : kept;
     }
     chebyshev.resize(kept);
+    const precision_scope scope(decimal_digits(accuracy_.frame_bits));
     auto result = nodes_.powers(chebyshev);
     for (ball& each : result) {
         each = midpoint_alone(each);
@@ -161,36 +184,34 @@ ball_polynomial collocation_solver::interpolated(const std::vector<ball>& in_nod
     return result;
 }
 
-bool collocation_solver::interpolate_frame(const columns_at_nodes& slow, moving_frame& frame) const {
+bool collocation_solver::interpolate_frame(const std::vector<ball>& slow, moving_frame& frame) const {
     const std::size_t n = count();
-    std::vector<std::vector<ball>> columns(n * n);
-    std::vector<std::vector<ball>> back(n * n);
+    const std::size_t columns = modes_->slow.size();
+    std::vector<ball> back;
     magnitude largest(1U);
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
         dense_matrix here(n, n);
-        for (std::size_t j = 0; j < n; ++j) {
-            for (std::size_t i = 0; i < n; ++i) {
-                here(i, j) = j < slow.size() ? slow[j][k * n + i] : modes_->fast[j - slow.size()][i];
+        for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t j = 0; j < n; ++j) {
+                here(i, j) = j < columns ? slow[(k * n + i) * columns + j] : modes_->fast[j - columns][i];
             }
         }
-        const auto inverted = inverse(here);
+        auto inverted = inverse(here);
         if (!inverted) {
             return false;
         }
         largest = std::max(largest, inverted->largest());
-        for (std::size_t i = 0; i < n * n; ++i) {
-            columns[i].push_back(here.entries[i]);
-            back[i].push_back(midpoint_alone(inverted->entries[i]));
-        }
+        inverted->keep_midpoints();
+        back.insert(back.end(), inverted->entries.begin(), inverted->entries.end());
     }
-    const double below = -digits_of_frame - log_of(largest) * std::log10(2.);
-    for (std::size_t i = 0; i < n * n; ++i) {
-        if (i % n < slow.size()) {
-            frame.columns.push_back(interpolated(columns[i], below));
-        } else {
-            frame.columns.push_back({columns[i].front()});
+    const double below = -digits_of_frame(stiffness_) - log_of(largest) * std::log10(2.);
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j < n; ++j) {
+            frame.columns.push_back(j < columns
+                                        ? interpolated(&slow[i * columns + j], static_cast<int>(n * columns), below)
+                                        : ball_polynomial{modes_->fast[j - columns][i]});
+            frame.inverse.push_back(interpolated(&back[i * n + j], static_cast<int>(n * n), below));
         }
-        frame.inverse.push_back(interpolated(back[i], below));
     }
     return true;
 }
@@ -214,7 +235,7 @@ std::optional<tube_candidate> collocation_solver::candidate() {
             result.curve.push_back(std::move(curve));
         }
     }
-    const precision_scope few(decimal_digits(accuracy_.frame_bits));
+    const precision_scope few(decimal_digits(accuracy_.node_bits));
     compute_jacobians();
     ball_columns begin;
     if (!slow_start(begin)) {
@@ -224,8 +245,8 @@ std::optional<tube_candidate> collocation_solver::candidate() {
     if (!slow || !interpolate_frame(*slow, result.frame)) {
         return std::nullopt;
     }
-    result.frame.slow = slow->size();
-    result.frame.blocks.assign(slow->size(), 1);
+    result.frame.slow = begin.size();
+    result.frame.blocks.assign(begin.size(), 1);
     result.frame.blocks.insert(result.frame.blocks.end(), modes_->fast_blocks.begin(), modes_->fast_blocks.end());
     return result;
 }

@@ -22,6 +22,8 @@ constexpr double largest_growth = 3;
 constexpr double smallest_growth = 0.3;
 constexpr double safety = 0.9;
 constexpr int most_rejections = 60;
+// From so many unknowns on values at nodes cost less than coefficients.
+constexpr std::size_t least_unknowns_at_nodes = 7;
 
 std::vector<long double> rounded_constants(const polynomial_map& map) {
     const precision_scope scope(40);
@@ -57,7 +59,7 @@ struct collocation_integrator::parts {
     void make_ready() {
         if (!nodes) {
             nodes = std::make_unique<collocation_nodes>(accuracy.degree, accuracy.product_bits);
-            proof = std::make_unique<tube_proof>(map, accuracy.product_bits, accuracy.frame_bits);
+            proof = std::make_unique<tube_proof>(map, accuracy.product_bits, accuracy.frame_bits, accuracy.node_bits);
             solver = std::make_unique<collocation_solver>(map, guide, *nodes, accuracy, constants);
         }
     }
@@ -115,7 +117,8 @@ struct collocation_integrator::parts {
     tube_set set;
     std::optional<solution_tube> tube;
     tube_rule rule = [](tube_proof& by, const tube_candidate& found, const tube_set& start) {
-        return by.tube(found, start);
+        const bool few = found.curve.size() < least_unknowns_at_nodes;
+        return by.tube(found, start, few ? supremum_rule::coefficients : supremum_rule::nodes);
     };
     double grown = 1;
     int without_fast = 0;

@@ -31,7 +31,8 @@ collocation_accuracy collocation_accuracy::for_bits(long bits, int more_terms) {
     result.aimed = result.accepted + 4;
     result.degree = std::max(24, static_cast<int>(1.6 * result.aimed)) + more_terms;
     result.bits = static_cast<long>(result.aimed / log10_of_2) + 64;
-    result.frame_bits = 192 + 2L * result.degree;
+    result.node_bits = 128;
+    result.frame_bits = result.node_bits + 2L * result.degree;
     result.product_bits = result.bits + 2L * result.degree + 64;
     return result;
 }
@@ -101,7 +102,7 @@ bool collocation_solver::guess(const tube_set& start, const std::vector<magnitud
 }
 
 void collocation_solver::compute_jacobians() {
-    const precision_scope few(decimal_digits(accuracy_.frame_bits));
+    const precision_scope few(decimal_digits(accuracy_.node_bits));
     jacobians_.clear();
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
         std::vector<ball> state;
@@ -137,9 +138,9 @@ void collocation_solver::compute_slopes() {
 // The matrix 1 - S (x) B_k of Newton's method, B_k the Jacobian at node k in the basis of modes.
 bool collocation_solver::factor_matrix() {
     compute_jacobians();
-    const precision_scope few(decimal_digits(accuracy_.frame_bits));
+    const precision_scope few(decimal_digits(accuracy_.node_bits));
     if (!modes_) {
-        modes_ = modes_of(jacobians_[nodes_.size() / 2], accuracy_.frame_bits, accuracy_.slowest_fast);
+        modes_ = modes_of(jacobians_[nodes_.size() / 2], accuracy_.node_bits, accuracy_.slowest_fast);
         if (!modes_) {
             return false;
         }
@@ -154,11 +155,13 @@ bool collocation_solver::factor_matrix() {
     const std::size_t n = count();
     const std::size_t width = nodes_.size() * n;
     std::vector<double> matrix(width * width, 0);
+    stiffness_ = 1;
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
         const dense_matrix turned = product(to_basis_, product(jacobians_[k], basis_));
         for (std::size_t a = 0; a < n; ++a) {
             for (std::size_t c = 0; c < n; ++c) {
                 const double entry = as_double(turned(a, c));
+                stiffness_ = std::max(stiffness_, std::fabs(entry));
                 for (std::size_t i = 0; entry != 0 && i < nodes_.size(); ++i) {
                     matrix[(i * n + a) * width + k * n + c] =
                         -nodes_.rounded_integrals()[i * nodes_.size() + k] * entry;
@@ -186,38 +189,44 @@ std::vector<ball> collocation_solver::residual() const {
     return result;
 }
 
-// Replaces the residual by the correction, and returns its size.
-magnitude collocation_solver::correct(std::vector<ball>& residual) const {
+// Replaces residuals by corrections, and returns the size of these; component a at node k in column j is at ((k n) + a)
+// columns + j.
+magnitude collocation_solver::correct(std::vector<ball>& residual, std::size_t columns) const {
     const auto n = static_cast<int>(count());
-    std::vector<ball> turned;
-    magnitude most;
-    for (std::size_t k = 0; k < nodes_.size(); ++k) {
-        for (std::size_t a = 0; a < count(); ++a) {
-            turned.push_back(inner_product(&to_basis_.entries[a * count()], 1, &residual[k * count()], 1, n));
-            most = std::max(most, magnitude::midpoint_of(turned.back()));
+    const auto turn = [&](const dense_matrix& by, const std::vector<ball>& of, std::vector<magnitude>& sizes) {
+        std::vector<ball> result;
+        result.reserve(of.size());
+        sizes.assign(columns, {});
+        for (std::size_t row = 0; row < nodes_.size() * count(); ++row) {
+            const ball* at_node = &of[(row - row % count()) * columns];
+            for (std::size_t j = 0; j < columns; ++j) {
+                result.push_back(midpoint_alone(
+                    inner_product(&by.entries[row % count() * count()], 1, at_node + j, static_cast<int>(columns), n)));
+                sizes[j] = std::max(sizes[j], magnitude(result.back()));
+            }
         }
+        return result;
+    };
+    std::vector<magnitude> sizes;
+    std::vector<ball> turned = turn(to_basis_, residual, sizes);
+    std::vector<long> exponents;
+    for (const magnitude& each : sizes) {
+        if (!each.is_finite()) {
+            return each;
+        }
+        exponents.push_back(each.is_zero() ? 0 : each.exponent());
     }
-    if (most.is_zero() || !most.is_finite()) {
-        return most;
-    }
-    const long exponent = most.exponent();
     std::vector<double> right;
-    for (const ball& each : turned) {
-        right.push_back(as_double(shifted(each, -exponent)));
-    }
-    const std::vector<double> solved = lu_.solved(right);
+    right.reserve(turned.size());
     for (std::size_t i = 0; i < turned.size(); ++i) {
-        turned[i] = std::isfinite(solved[i]) ? shifted(exactly(solved[i]), exponent) : exactly(1e300);
+        right.push_back(as_double(shifted(turned[i], -exponents[i % columns])));
     }
-    magnitude size;
-    for (std::size_t k = 0; k < nodes_.size(); ++k) {
-        for (std::size_t a = 0; a < count(); ++a) {
-            residual[k * count() + a] =
-                midpoint_alone(inner_product(&basis_.entries[a * count()], 1, &turned[k * count()], 1, n));
-            size = std::max(size, magnitude(residual[k * count() + a]));
-        }
+    const std::vector<double> solved = lu_.solved(right, columns);
+    for (std::size_t i = 0; i < turned.size(); ++i) {
+        turned[i] = std::isfinite(solved[i]) ? shifted(exactly(solved[i]), exponents[i % columns]) : exactly(1e300);
     }
-    return size;
+    residual = turn(basis_, turned, sizes);
+    return *std::max_element(sizes.begin(), sizes.end());
 }
 
 collocation_solver::outcome collocation_solver::iterate() {
@@ -226,7 +235,7 @@ collocation_solver::outcome collocation_solver::iterate() {
     for (int k = 0; k < most_iterations; ++k) {
         compute_slopes();
         std::vector<ball> step = residual();
-        const magnitude size = correct(step);
+        const magnitude size = correct(step, 1);
         const double now = size.is_finite() ? log10_of(size) : diverged;
         if (now >= diverged) {
             return outcome::failed;
@@ -274,7 +283,8 @@ bool collocation_solver::measure_tail() {
         const double begin = log10_of(magnitude(start_->centre[c]).shifted(-scales_[c]));
         const double middle = log10_of(magnitude::midpoint_of(values_[last / 2 * count() + c]));
         const double end = log10_of(magnitude::midpoint_of(values_[(last - 1) * count() + c]));
-        if (c < map_.given() && begin > -1 && middle < begin && end < middle) {
+        if (c < map_.given() && start_->reach(c) < magnitude::below(start_->centre[c]) && middle < begin &&
+            end < middle) {
             decay = std::max(decay, std::min(begin - end, 3 * (begin - middle)));
         }
     }

@@ -19,7 +19,8 @@ struct collocation_accuracy {
     double accepted = 0;      ///< decimal digits: the last Chebyshev coefficients of an unknown, relative to its scale
     double aimed = 0;         ///< the target of the step size, somewhat larger
     long bits = 0;            ///< of values at nodes
-    long frame_bits = 0;      ///< of frames
+    long frame_bits = 0;      ///< of frames in powers of x
+    long node_bits = 0;       ///< of frames and derivatives at nodes
     long product_bits = 0;    ///< of polynomials in powers of x
     double slowest_fast = 0;  ///< the limit between slow and fast modes (modes_of)
     double digits_below_width = 0;  ///< of the smallest scales
@@ -44,20 +45,19 @@ public:
     std::optional<tube_candidate> candidate();
 
 private:
-    using columns_at_nodes = std::vector<std::vector<ball>>;  // node after node the components, by columns
-
     bool guess(const tube_set& start, const std::vector<magnitude>& floors);
     bool factor_matrix();
     void compute_jacobians();
     void compute_slopes();
     std::vector<ball> residual() const;
-    magnitude correct(std::vector<ball>& residual) const;
+    magnitude correct(std::vector<ball>& residual, std::size_t columns) const;
     outcome iterate();
     bool measure_tail();
     bool slow_start(ball_columns& slow);
-    std::optional<columns_at_nodes> slow_columns(const ball_columns& start) const;
-    bool interpolate_frame(const columns_at_nodes& slow, moving_frame& frame) const;
-    ball_polynomial interpolated(const std::vector<ball>& in_nodes, double below) const;
+    std::vector<ball> slopes_of_columns(const std::vector<ball>& at_nodes, std::size_t columns) const;
+    std::optional<std::vector<ball>> slow_columns(const ball_columns& start) const;
+    bool interpolate_frame(const std::vector<ball>& slow, moving_frame& frame) const;
+    ball_polynomial interpolated(const ball* in_nodes, int stride, double below) const;
     std::size_t count() const { return map_.size(); }
     ball half() const { return shifted(on_.length, -1); }
 
@@ -74,6 +74,7 @@ private:
     std::vector<dense_matrix> jacobians_;
     std::optional<divided_modes> modes_;
     dense_matrix basis_, to_basis_;
+    double stiffness_ = 1;  ///< the largest entry of Jacobians in the basis of modes
     real_lu<double> lu_;
     double factor_ = 1;
 };

@@ -177,15 +177,15 @@ bool real_lu<Real>::factor(const std::vector<Real>& by_rows, std::size_t size) {
 }
 
 template <class Real>
-std::vector<Real> real_lu<Real>::solved(const std::vector<Real>& right) const {
-    const auto n = static_cast<Eigen::Index>(right.size());
-    Eigen::Matrix<Real, Eigen::Dynamic, 1> b(n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        b(i) = right[k] * parts_->scales[k];
+std::vector<Real> real_lu<Real>::solved(const std::vector<Real>& right, std::size_t columns) const {
+    const auto rows = static_cast<Eigen::Index>(parts_->scales.size());
+    const auto width = static_cast<Eigen::Index>(columns);
+    typename parts::matrix b = Eigen::Map<const typename parts::matrix>(right.data(), rows, width);
+    for (Eigen::Index i = 0; i < rows; ++i) {
+        b.row(i) *= parts_->scales[static_cast<std::size_t>(i)];
     }
-    const Eigen::Matrix<Real, Eigen::Dynamic, 1> x = parts_->lu.solve(b);
-    return {x.data(), x.data() + n};
+    const typename parts::matrix x = parts_->lu.solve(b);
+    return {x.data(), x.data() + rows * width};
 }
 
 template class real_lu<double>;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "libration/scalar/ball/magnitude.hpp"
@@ -19,6 +20,8 @@ struct dense_matrix {
 
     dense_matrix() = default;
     dense_matrix(std::size_t r, std::size_t c) : rows(r), columns(c), entries(r * c) {}
+    dense_matrix(std::size_t r, std::size_t c, std::vector<ball> by_rows)
+        : rows(r), columns(c), entries(std::move(by_rows)) {}
     static dense_matrix unit(std::size_t size);
 
     ball& operator()(std::size_t i, std::size_t j) { return entries[i * columns + j]; }
@@ -56,7 +59,8 @@ public:
     ~real_lu();
     /// Of a matrix by rows, each row divided by its largest entry. False if it is singular or not finite.
     bool factor(const std::vector<Real>& by_rows, std::size_t size);
-    std::vector<Real> solved(const std::vector<Real>& right) const;
+    /// For so many right-hand sides, the columns of a matrix by rows.
+    std::vector<Real> solved(const std::vector<Real>& right, std::size_t columns = 1) const;
 
 private:
     struct parts;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "bound_matrix.hpp"
 #include "dense_matrix.hpp"
 #include "growth.hpp"
 #include "libration/ode/ball/step_pieces.hpp"
@@ -12,8 +11,6 @@ namespace libration::ode {
 
 namespace {
 
-// The parts of a step in which the rate of a fast mode is bounded.
-constexpr int parts_of_rate = 8;
 // The length of a step in x.
 constexpr long length_in_x = 2;
 constexpr int most_tubes = 8;
@@ -45,44 +42,13 @@ std::optional<bound_matrix> bound_of_inverse(const bound_matrix& z, std::size_t 
     return result;
 }
 
-std::vector<ball_polynomial> rounded(const std::vector<ball_polynomial>& of) {
-    std::vector<ball_polynomial> result = of;
-    for (ball_polynomial& each : result) {
-        for (ball& a : each) {
-            arb_set_round(a.handle(), a.handle(), ball::working_bits());
-        }
+std::vector<ball> enclosed_constants(const polynomial_map& map, long bits) {
+    const precision_scope scope(decimal_digits(bits));
+    std::vector<ball> result;
+    for (const number& each : map.constants()) {
+        result.push_back(constant_value<ball>::of(each));
     }
     return result;
-}
-
-// A bound of mu over the step: the largest eigenvalue of a symmetric 2 by 2 matrix increases with its diagonal entries
-// and with the absolute value of the other one. For slow columns the supremum of the entry suffices.
-ball rate_of_block(chebyshev_form& forms, const std::vector<ball_polynomial>& linear, std::size_t size, column_block b,
-                   std::size_t slow, const bound_matrix& suprema) {
-    const std::size_t first = b.begin * size + b.begin;
-    if (b.size == 1 && b.begin < slow) {
-        return suprema[first].exact();
-    }
-    const auto above = forms.upper_bounds(linear[first], parts_of_rate);
-    if (b.size == 1) {
-        return *std::ranges::max_element(above, exactly_less);
-    }
-    const std::size_t second = first + size + 1;
-    const ball_polynomial beside = sum_of(linear[first + 1], linear[second - 1]);
-    const auto below = forms.upper_bounds(linear[second], parts_of_rate);
-    const auto plus = forms.upper_bounds(beside, parts_of_rate);
-    const auto minus = forms.upper_bounds(multiple_of(ball(-1), beside), parts_of_rate);
-    std::optional<ball> most;
-    for (std::size_t k = 0; k < above.size(); ++k) {
-        const magnitude coupling = std::max(magnitude(plus[k]), magnitude(minus[k])).shifted(-1);
-        const magnitude difference = magnitude(above[k] - below[k]).shifted(-1);
-        const ball mean = shifted(above[k] + below[k], -1);
-        const ball rate = upper_bound(mean + hypotenuse(coupling, difference).exact());
-        if (!most || exactly_less(*most, rate)) {
-            most = rate;
-        }
-    }
-    return *most;
 }
 
 }  // namespace
@@ -91,10 +57,9 @@ ball rate_of_block(chebyshev_form& forms, const std::vector<ball_polynomial>& li
 struct tube_proof::bounds {
     std::size_t size = 0;
     std::vector<column_block> blocks;
-    bound_matrix linear, frame, inverse, correction;  ///< W (J V - V'), V, W, n of K2
-    std::vector<magnitude> curve;
+    step_suprema of;
+    bound_matrix correction;        ///< n of K2
     std::vector<magnitude> defect;  ///< |d|, by rows
-    std::vector<ball> rates;        ///< upper bounds of mu(W (J V - V')) of blocks
     magnitude half, time;
     const std::vector<long>* scales = nullptr;
 
@@ -105,9 +70,9 @@ struct tube_proof::bounds {
         for (std::size_t i = 0; i < size; ++i) {
             magnitude reach;
             for (std::size_t b = 0; b < blocks.size(); ++b) {
-                reach.add_product(norm_of(&frame[i * size], blocks[b]), radii[b]);
+                reach.add_product(norm_of(&of.frame[i * size], blocks[b]), radii[b]);
             }
-            state.push_back({curve[i].shifted((*scales)[i]), reach.shifted((*scales)[i])});
+            state.push_back({of.curve[i].shifted((*scales)[i]), reach.shifted((*scales)[i])});
         }
         const auto all = map.in(change_ring{constants, time}, state, true);
         bound_matrix result(size * size);
@@ -120,15 +85,15 @@ struct tube_proof::bounds {
 
     // a_bc and delta_b in that tube.
     comparison_system comparison(const bound_matrix& change) const {
-        bound_matrix more = product_of_bounds(inverse, product_of_bounds(change, frame, size, size), size, size);
-        bound_matrix whole = sum_of_bounds(linear, more);
+        bound_matrix more = product_of_bounds(of.inverse, product_of_bounds(change, of.frame, size, size), size, size);
+        bound_matrix whole = sum_of_bounds(of.linear, more);
         const bound_matrix by_correction = product_of_bounds(correction, whole, size, size);
         more = sum_of_bounds(more, by_correction);
         whole = sum_of_bounds(whole, by_correction);
         comparison_system result;
         for (std::size_t b = 0; b < blocks.size(); ++b) {
             // mu(M + E) <= mu(M) + ||E||.
-            result.diagonal.push_back(upper_bound(rates[b] + norm_of(more, size, blocks[b], blocks[b]).exact()));
+            result.diagonal.push_back(upper_bound(of.rates[b] + norm_of(more, size, blocks[b], blocks[b]).exact()));
             for (const column_block& other : blocks) {
                 result.beside.push_back(norm_of(whole, size, blocks[b], other));
             }
@@ -138,83 +103,20 @@ struct tube_proof::bounds {
     }
 };
 
-tube_proof::tube_proof(const polynomial_map& map, long bits, long frame_bits)
-    : map_(map), bits_(bits), frame_bits_(frame_bits), forms_(bits) {
-    const precision_scope scope(decimal_digits(bits));
-    for (const number& each : map.constants()) {
-        constants_.push_back(constant_value<ball>::of(each));
-        constant_bounds_.emplace_back(constants_.back());
+tube_proof::tube_proof(const polynomial_map& map, long bits, long frame_bits, long node_bits)
+    : map_(map),
+      bits_(bits),
+      constants_(enclosed_constants(map, bits)),
+      by_coefficients_(map, constants_, bits, frame_bits),
+      by_nodes_(map, constants_, bits, frame_bits, node_bits) {
+    for (const ball& each : constants_) {
+        constant_bounds_.emplace_back(each);
     }
 }
 
 std::vector<ball> tube_proof::chebyshev(const ball_polynomial& of) {
     const precision_scope scope(decimal_digits(bits_));
-    return forms_.coefficients(of);
-}
-
-// Bounds the defect, W (J V - V'), W V - 1 and the quantities derived from them.
-bool tube_proof::bound_linear_part(const tube_candidate& of, bounds& to) {
-    const std::size_t n = map_.size();
-    const ball half = shifted(of.on.length, -1);
-    const auto& v = of.frame.columns;
-    const auto& w = of.frame.inverse;
-    std::vector<ball_polynomial> state;
-    for (std::size_t i = 0; i < n; ++i) {
-        state.push_back(shifted(of.curve[i], of.scales[i]));
-    }
-    auto all = map_.in(polynomial_ring{constants_, {of.on.start + half, half}}, state, true);
-    std::vector<ball_polynomial> defect;
-    for (std::size_t i = 0; i < n; ++i) {
-        const auto slope = shifted(multiple_of(half, all.slopes[i]), -of.scales[i]);
-        defect.push_back(difference_of(derivative_of(of.curve[i]), slope));
-    }
-    std::vector<magnitude> turned;
-    for (std::size_t i = 0; i < n; ++i) {
-        ball_polynomial sum;
-        for (std::size_t k = 0; k < n; ++k) {
-            sum = sum_of(sum, product_of(w[i * n + k], defect[k]));
-        }
-        turned.push_back(forms_.supremum(sum));
-    }
-    const precision_scope few(decimal_digits(frame_bits_));
-    all.entries = rounded(all.entries);
-    std::vector<ball_polynomial> moved(n * n);
-    for (std::size_t k = 0; k < all.entries.size(); ++k) {
-        const auto [i, m] = map_.places()[k];
-        const auto entry = shifted(multiple_of(half, all.entries[k]), of.scales[m] - of.scales[i]);
-        for (std::size_t j = 0; j < n; ++j) {
-            moved[i * n + j] = sum_of(moved[i * n + j], product_of(entry, v[m * n + j]));
-        }
-    }
-    std::vector<ball_polynomial> linear(n * n);
-    bound_matrix z(n * n);
-    for (std::size_t k = 0; k < n * n; ++k) {
-        moved[k] = difference_of(moved[k], derivative_of(v[k]));
-        to.frame.push_back(forms_.supremum(v[k]));
-        to.inverse.push_back(forms_.supremum(w[k]));
-    }
-    for (std::size_t i = 0; i < n; ++i) {
-        to.curve.push_back(forms_.supremum(of.curve[i]));
-        for (std::size_t j = 0; j < n; ++j) {
-            ball_polynomial unit = {ball(i == j ? -1 : 0)};
-            for (std::size_t k = 0; k < n; ++k) {
-                linear[i * n + j] = sum_of(linear[i * n + j], product_of(w[i * n + k], moved[k * n + j]));
-                unit = sum_of(unit, product_of(w[i * n + k], v[k * n + j]));
-            }
-            to.linear.push_back(forms_.supremum(linear[i * n + j]));
-            z[i * n + j] = forms_.supremum(unit);
-        }
-    }
-    auto correction = bound_of_inverse(z, n);
-    if (!correction) {
-        return false;
-    }
-    to.correction = std::move(*correction);
-    to.defect = sum_of_bounds(turned, product_of_bounds(to.correction, turned, n, 1));
-    for (const column_block& b : to.blocks) {
-        to.rates.push_back(rate_of_block(forms_, linear, n, b, of.frame.slow, to.linear));
-    }
-    return true;
+    return by_coefficients_.forms().coefficients(of);
 }
 
 // |V^-1 (y - p)| at the left end for y in the set, by V^-1 = (1 + N) W.
@@ -263,7 +165,7 @@ std::vector<magnitude> tube_proof::start_radii(const tube_candidate& of, const t
     return radii;
 }
 
-std::optional<solution_tube> tube_proof::tube(const tube_candidate& of, const tube_set& start) {
+std::optional<solution_tube> tube_proof::tube(const tube_candidate& of, const tube_set& start, supremum_rule by) {
     const precision_scope scope(decimal_digits(bits_));
     bounds known;
     known.size = map_.size();
@@ -271,9 +173,13 @@ std::optional<solution_tube> tube_proof::tube(const tube_candidate& of, const tu
     known.half = magnitude(of.on.length).shifted(-1);
     known.time = std::max(magnitude(of.on.start), magnitude(of.on.start + of.on.length));
     known.scales = &of.scales;
-    if (!bound_linear_part(of, known)) {
+    known.of = by == supremum_rule::nodes ? by_nodes_.of(of) : by_coefficients_.of(of);
+    auto correction = bound_of_inverse(known.of.unit, known.size);
+    if (!correction) {
         return std::nullopt;
     }
+    known.correction = std::move(*correction);
+    known.defect = sum_of_bounds(known.of.defect, product_of_bounds(known.correction, known.of.defect, known.size, 1));
     const auto begin = start_radii(of, start, known.correction);
     std::vector<magnitude> within;
     for (std::size_t b = 0; b < known.blocks.size(); ++b) {

@@ -163,7 +163,7 @@ struct step_rounding::attempt {
         round_curve(candidate, bits.curve);
         round_frame(candidate, bits.frame);
         round_inverse(candidate, bits.slow_rows, bits.fast_rows);
-        return by.tube(candidate, start);
+        return by.tube(candidate, start, supremum_rule::coefficients);
     }
 
     // The least number of bits, from a guess on in steps of `grain`, for which `try_bits` keeps the width.
@@ -172,7 +172,7 @@ struct step_rounding::attempt {
         const auto keeps = [&](long bits) {
             tube_candidate candidate = found;
             try_bits(candidate, bits);
-            return keeps_width(by.tube(candidate, start), reference, loss, negligible);
+            return keeps_width(by.tube(candidate, start, supremum_rule::coefficients), reference, loss, negligible);
         };
         long bits = std::min(guess, most);
         if (keeps(bits)) {
@@ -196,7 +196,7 @@ struct step_rounding::attempt {
 };
 
 std::optional<solution_tube> step_rounding::tube(tube_proof& by, const tube_candidate& found, const tube_set& start) {
-    const auto unrounded = by.tube(found, start);
+    const auto unrounded = by.tube(found, start, supremum_rule::coefficients);
     if (!unrounded) {
         return std::nullopt;
     }
