@@ -122,6 +122,12 @@ if(TARGET libration-gsl-theta)
     add_dependencies(libration-command libration-gsl-theta)
 endif()
 
+# The same program with its libraries inside: ./run static, which sets the directory of some of them.
+set(LIBRATION_ARCHIVES "" CACHE PATH "Directory of libflint.a, libflint-arb.a, libfmt.a and libhwy.a, for libration-static")
+if(LIBRATION_ARCHIVES)
+    include(cmake/static_command.cmake)
+endif()
+
 # The same program on many machines: ./run --mpi. Its packages are installed only for that command.
 if(LIBRATION_BUILD_MPI)
     enable_language(C)  # for MPI's plain C interface
