@@ -1,25 +1,16 @@
-// The C interface as a test calls it: handles that free themselves, and codes that have to be 0.
+// The C interface as a test calls it: owned handles, and codes that have to be 0.
 #pragma once
 
 #include <libration.h>
 
 #include <catch2/catch.hpp>
-#include <memory>
 #include <string>
+
+#include "interface/owned_handles.hpp"
 
 namespace c_test {
 
-template <class Handle, void (*free)(Handle*)>
-struct freeing {
-    void operator()(Handle* handle) const { free(handle); }
-};
-template <class Handle, void (*free)(Handle*)>
-using owned = std::unique_ptr<Handle, freeing<Handle, free>>;
-using number = owned<libration_number, libration_number_free>;
-using table = owned<libration_table, libration_table_free>;
-using motion = owned<libration_motion, libration_motion_free>;
-using problem = owned<libration_problem, libration_problem_free>;
-using sampler = owned<libration_sampler, libration_sampler_free>;
+using namespace libration::owned;
 
 /// What f(&handle) makes; the code has to be 0.
 template <class Owned, class Call>

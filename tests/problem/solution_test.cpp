@@ -3,6 +3,8 @@
 #include "libration/problem/solution.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -219,6 +221,45 @@ TEST_CASE("the closed form answers where Taylor series cannot", "[problem]") {
     const auto constants = far->constants(proved_digits(10));
     REQUIRE(constants);
     CHECK(constants->names.front() == "energy");
+}
+
+// Released at a right angle, E = 1: T = 4 K(1/2), T* = K(1/2) and R = sqrt(2) T* about the top [paper (librationROC)];
+// K(1/2) = Gamma(1/4)^2/(4 sqrt(pi)) = 1.85407467730137191843.... About the bottom R = K'(1/2) = T*.
+TEST_CASE("constants of a motion are asked for by name and have bounds", "[problem]") {
+    const auto swing = solution_of(pendulum::given_motion{.theta0 = "90deg", .omega0 = "0"});
+    const auto found = swing->constants(proved_digits(12), {.names = {"tstar", "gap", "radius"}});
+    REQUIRE(found);
+    CHECK(found->names == std::vector<std::string>{"tstar", "gap", "radius"});
+    CHECK(found->at(0, "tstar") == "1.85407467730");
+    CHECK(std::stod(found->rows[0][0].bound) < 1e-11);
+    CHECK(found->at(0, "gap") == "1");
+    CHECK(found->rows[0][1].bound == "0");
+    CHECK(found->at(0, "radius") == "2.62205755429");
+    CHECK(swing->constants(proved_digits(12), {.names = {"radius"}, .about = "bottom"})->at(0, "radius") ==
+          "1.85407467730");
+    CHECK(swing->constants(proved_digits(8))->names.size() == 5);
+    CHECK_THROWS_WITH(swing->constants(proved_digits(8), {.names = {"mass"}}), Catch::Contains("constant 'mass'"));
+    CHECK_THROWS_WITH(solution_of(pendulum::given_motion{.energy = "2"})->states("T", proved_digits(8)),
+                      Catch::Contains("multiple of an infinite period"));
+}
+
+TEST_CASE("a motion is sampled in double, and an equation is not", "[problem]") {
+    const auto turn = solution_of(pendulum::given_motion{.energy = "3"});
+    const auto sampler = turn->sampler();
+    REQUIRE(sampler);
+    const std::vector<double> times{0.75, -2};
+    std::vector<double> theta(2);
+    std::vector<double> omega(2);
+    CHECK(sampler->reaches(times));
+    sampler->at(times, std::vector<double*>{theta.data(), omega.data()});
+    const answer exactly = turn->states("3/4, -2", proved_digits(20));
+    for (std::size_t i = 0; i < 2; ++i) {
+        // 4 units in the last place of |theta| < 8 and of the largest omega, sqrt(6) < 4 (pendulum/sampler/sampler.hpp).
+        constexpr double unit = 4 * 4 * std::numeric_limits<double>::epsilon();
+        CHECK(std::abs(theta[i] - std::stod(exactly.at(i, "theta"))) <= unit);
+        CHECK(std::abs(omega[i] - std::stod(exactly.at(i, "omega"))) <= unit);
+    }
+    CHECK(solve(problem("x'' = -sin(x); x(0) = 1; x'(0) = 0"))->sampler() == nullptr);
 }
 
 }  // namespace problem_solution_test

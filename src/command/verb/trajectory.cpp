@@ -1,10 +1,11 @@
 // libration trajectory: theta and omega at a list of times, exactly or by one of the approximations, with the error; or
 // the unknowns of any differential equation.
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <iterator>
 #include <memory>
+#include <tuple>
 
 #include "equation/integrator_options.hpp"
 #include "equation/problem_options.hpp"
@@ -42,46 +43,51 @@ struct trajectory_options {
     std::optional<std::string> jobs;
 };
 
-trajectory_method read_trajectory_method(const std::string& name) {
-    if (name == "exact" || name == "rk4") {
-        return name == "exact" ? trajectory_method::exact : trajectory_method::rk4;
-    }
-    if (name == "series" || name == "resummed") {
-        return name == "series" ? trajectory_method::series : trajectory_method::resummed;
-    }
-    if (name == "uniform") {
-        return trajectory_method::uniform;
-    }
-    throw input_error("--method", name, "is not a method for a trajectory",
-                      "write exact, series, resummed, uniform or rk4");
-}
+// A value of --method, and which options it needs.
+struct method_form {
+    std::string name;
+    bool by_order = false;
+    bool by_step = false;
+};
 
-bool is_partial_sum(trajectory_method method) {
-    return method == trajectory_method::series || method == trajectory_method::resummed ||
-           method == trajectory_method::uniform;
-}
+// In the order of trajectory_method.
+const std::vector<method_form> methods_of_motion{{"exact"},
+                                                 {.name = "series", .by_order = true},
+                                                 {.name = "resummed", .by_order = true},
+                                                 {.name = "uniform", .by_order = true},
+                                                 {.name = "rk4", .by_step = true}};
+const std::vector<method_form> methods_of_problem{{"taylor"},
+                                                  {.name = "series", .by_order = true},
+                                                  {.name = "pade", .by_order = true},
+                                                  {.name = "endpoint", .by_order = true},
+                                                  {.name = "asymptotic", .by_order = true}};
 
-// --order applies to partial sums, --step to rk4.
-void require_fitting(const trajectory_options& options, trajectory_method method) {
-    const bool sums = is_partial_sum(method);
-    if (sums && !options.order) {
-        throw input_error("--method", *options.method, "is a partial sum", "add --order N, its last power");
+// The method of --method, by default the first, with the options that belong to it.
+std::vector<method_form>::const_iterator method_among(const std::vector<method_form>& all,
+                                                      const trajectory_options& options) {
+    const std::string name = options.method.value_or(all.front().name);
+    const auto found = std::ranges::find(all, name, &method_form::name);
+    if (found == all.end()) {
+        std::vector<std::string> names;
+        std::ranges::transform(all, std::back_inserter(names), &method_form::name);
+        throw input_error("--method", name, "is not a method for this trajectory",
+                          fmt::format("write {}", fmt::join(names, ", ")));
     }
-    const auto refuse = [&](const char* option, const std::string& value) {
-        throw input_error(option, value, "has no meaning for --method " + options.method.value_or("exact"),
-                          "leave it out");
-    };
-    if (!sums && options.order) {
-        refuse("--order", *options.order);
+    if (found->by_order && !options.order) {
+        throw input_error("--method", name, "is computed from coefficients", "add --order N, the last power");
     }
-    if (method != trajectory_method::rk4 && options.step) {
-        refuse("--step", *options.step);
+    for (const auto& [option, value, fits] :
+         {std::tuple("--order", &options.order, found->by_order), {"--step", &options.step, found->by_step}}) {
+        if (*value && !fits) {
+            throw input_error(option, **value, "has no meaning for --method " + name, "leave it out");
+        }
     }
+    return found;
 }
 
 trajectory_request choose(const trajectory_options& options) {
-    const trajectory_method method = read_trajectory_method(options.method.value_or("exact"));
-    require_fitting(options, method);
+    const auto form = method_among(methods_of_motion, options);
+    const auto method = static_cast<trajectory_method>(form - methods_of_motion.begin());
     const exact step = positive_number_of("--step", options.step.value_or(usual_step));
     const arithmetic numbers = options.arithmetic.choose();
     if (method == trajectory_method::rk4 && numbers.scalar.kind == scalar_kind::proved) {
@@ -90,7 +96,7 @@ trajectory_request choose(const trajectory_options& options) {
     }
     chosen_motion chosen = options.motion.choose_for(numbers.scalar);
     const auto r = chosen.of.regime();
-    if (is_partial_sum(method) && at_critical_energy(r)) {
+    if (form->by_order && at_critical_energy(r)) {
         throw input_error("--method", *options.method, "has no top to expand about at E = 2", "use exact or rk4");
     }
     if (method == trajectory_method::uniform && r == pendulum::regime::stable_equilibrium) {
@@ -101,27 +107,42 @@ trajectory_request choose(const trajectory_options& options) {
     return {std::move(chosen), numbers, method, order, step, times_of(options.times, r), jobs_of(options.jobs)};
 }
 
+// A time without digits is an empty row.
+partial_table trajectory_of_motion(const trajectory_options& options) {
+    options.integrator.require_absent("has no meaning without --problem");
+    if (options.via) {
+        throw input_error("--via", *options.via, "is a path in the complex t-plane of a --problem",
+                          "leave it out, or give the motion as --problem \"x'' = -sin(x); x(0) = 2; x'(0) = 0\"");
+    }
+    const trajectory_request request = choose(options);
+    partial_table found{
+        table({{"time", ""}, {"theta", ""}, {"omega", ""}, {"error", ""}, {"time_typed", ""}}), {}, {}, {}};
+    const long digits = request.numbers.digits;
+    const auto times = solution_of(request.chosen.of)->times_in_decimals(request.times, digits);
+    const auto points = trajectory_points(request);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto& [theta, omega, error_text, undecided] = points[i];
+        const std::string& typed = request.times[i].text;
+        if (undecided.empty()) {
+            found.rows.add_row({number_cell(times[i]), cell::number(theta, digits), cell::number(omega, digits),
+                                number_cell(error_text), typed});
+            continue;
+        }
+        found.rows.add_row({number_cell(times[i]), cell(), cell(), cell(), typed});
+        if (found.missing) {
+            say_line(shortened(found.missing->what()));
+        }
+        found.missing = error(error_kind::undecided, "no state at", typed, "since " + undecided);
+    }
+    return found;
+}
+
 // Instead of a motion, any problem.
 partial_table trajectory_of_problem(const trajectory_options& options) {
     if (const auto other = options.motion.first_given()) {
         throw input_error(*other + " applies to motions of the pendulum, not to a --problem: leave one of them out");
     }
-    const auto refuse = [](const char* option, const std::optional<std::string>& value) {
-        if (value) {
-            throw input_error(option, *value, "has no meaning for Taylor series in steps", "leave it out");
-        }
-    };
-    const std::string method = options.method.value_or("taylor");
-    static const std::vector<std::string> approximations{"series", "pade", "endpoint", "asymptotic"};
-    const bool approximated = std::ranges::find(approximations, method) != approximations.end();
-    if (!approximated && method != "taylor") {
-        throw input_error("--method", method, "is not a method for a problem",
-                          "write taylor, series, pade, endpoint or asymptotic");
-    }
-    refuse("--step", options.step);
-    if (!approximated) {
-        refuse("--order", options.order);
-    }
+    const auto& [method, approximated, by_step] = *method_among(methods_of_problem, options);
     const arithmetic numbers = options.arithmetic.choose();
     options.integrator.choice();
     if (numbers.scalar.kind != scalar_kind::proved) {
@@ -129,9 +150,6 @@ partial_table trajectory_of_problem(const trajectory_options& options) {
     }
     if (approximated) {
         options.integrator.require_absent("has no meaning for --method " + method);
-        if (!options.order) {
-            throw input_error("--method", method, "is computed from coefficients", "add --order N, the last power");
-        }
         if (options.via || has_imaginary_unit(options.times)) {
             throw input_error("--method", method, "is limited to real times", "leave --method out for complex ones");
         }
@@ -164,64 +182,31 @@ partial_table trajectory_of_problem(const trajectory_options& options) {
     });
 }
 
-// The solutions of a problem, one or a family.
-int run_problem(const trajectory_options& options, const std::optional<figure_file>& figure) {
-    const auto family = options.problem.family();
-    if (figure) {
+// A motion, or the solutions of a problem, one or a family.
+int run_trajectory(const trajectory_options& options) {
+    options.output.check();
+    const auto figure = options.plot.file(options.output);
+    const bool of_problem = options.problem.is_chosen();
+    const auto family = of_problem ? options.problem.family() : std::vector<family_member>(1);
+    if (figure && of_problem) {
         options.plot.require_known(columns_of_states(family.front().problem.choose()));
     }
     std::vector<partial_table> parts;
     for (const family_member& member : family) {
         trajectory_options own = options;
         own.problem = member.problem;
-        parts.push_back(trajectory_of_problem(own));
+        parts.push_back(of_problem ? trajectory_of_problem(own) : trajectory_of_motion(own));
     }
     const partial_table found = parts.size() == 1 ? parts.front() : family_table(family, parts);
     if (found.has_output()) {
         if (figure) {
-            figure->draw(family_plot(family, parts, options.plot, options.problem.name()));
+            figure->draw(family_plot(family, parts, options.plot, of_problem ? options.problem.name() : "pendulum"));
         }
         table_output(options.output, figure).write(found.rows);
     }
     options.integrator.state(found.collocation);
     require_complete(found);
     return 0;
-}
-
-int run_trajectory(const trajectory_options& options) {
-    options.output.check();
-    const auto figure = options.plot.file(options.output);
-    if (options.problem.is_chosen()) {
-        return run_problem(options, figure);
-    }
-    options.integrator.require_absent("has no meaning without --problem");
-    if (options.via) {
-        throw input_error("--via", *options.via, "is a path in the complex t-plane of a --problem",
-                          "leave it out, or give the motion as --problem \"x'' = -sin(x); x(0) = 2; x'(0) = 0\"");
-    }
-    const trajectory_request request = choose(options);
-    table data({{"time", ""}, {"theta", ""}, {"omega", ""}, {"error", ""}, {"time_typed", ""}});
-    const long digits = request.numbers.digits;
-    const auto times = solution_of(request.chosen.of)->times_in_decimals(request.times, digits);
-    const auto points = trajectory_points(request);
-    bool decided = true;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const auto& [theta, omega, error, undecided] = points[i];
-        const std::string& typed = request.times[i].text;
-        if (undecided.empty()) {
-            data.add_row({number_cell(times[i]), cell::number(theta, digits), cell::number(omega, digits),
-                          number_cell(error), typed});
-            continue;
-        }
-        decided = false;
-        data.add_row({number_cell(times[i]), cell(), cell(), cell(), typed});
-        fmt::print(stderr, "libration: {}\n", shortened(fmt::format("no state at '{}': {}", typed, undecided)));
-    }
-    if (figure) {
-        figure->draw(solution_plot({{"", data}}, options.plot, {}, "pendulum"));
-    }
-    table_output(options.output, figure).write(data);
-    return decided ? 0 : 1;
 }
 
 }  // namespace

@@ -138,6 +138,10 @@ int libration_motion_coefficients(const libration_motion* motion, const char* po
                                   int rigour, libration_table** coefficients) {
     return made(coefficients, [&] {
         require_powers(first, last);
+        if (last > largest_power_of_series) {
+            throw error(error_kind::argument, "power", std::to_string(last),
+                        "is not between 0 and " + std::to_string(largest_power_of_series));
+        }
         const auto of = solution_of(motion);
         libration_table table = table_of_numbers(
             of->series({.first = first, .order = last, .about = point_of(*motion, point)}, digits_by(digits, rigour)));

@@ -152,9 +152,9 @@ int libration_problem_radius(const libration_problem* problem, long last, long d
         if (last < 0 || last > most_powers_of_radius) {
             throw error(error_kind::argument, "power", std::to_string(last), "is not between 0 and 100000");
         }
-        return table_of_radii(
-            solution_of(problem, {.general = true})->radius({.order = last}, rounded_digits(given_digits(digits))),
-            problem->names.front());
+        const auto of = solution_of(problem, {.general = true});
+        return table_of_radii(of->radius({.order = last}, rounded_digits(given_digits(digits))),
+                              of->quantities().front());
     });
 }
 

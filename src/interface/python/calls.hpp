@@ -7,39 +7,27 @@
 #include <pybind11/stl.h>
 
 #include <cstddef>
-#include <memory>
 #include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include "../owned_handles.hpp"
+
 namespace libration::python {
 
 namespace py = pybind11;
 
-template <class Handle, void (*free)(Handle*)>
-struct freeing {
-    void operator()(Handle* handle) const { free(handle); }
-};
-template <class Handle, void (*free)(Handle*)>
-using owned = std::unique_ptr<Handle, freeing<Handle, free>>;
-using number_handle = owned<libration_number, libration_number_free>;
-using table_handle = owned<libration_table, libration_table_free>;
-using motion_handle = owned<libration_motion, libration_motion_free>;
-using problem_handle = owned<libration_problem, libration_problem_free>;
-using sampler_handle = owned<libration_sampler, libration_sampler_free>;
-using steps_handle = owned<libration_steps, libration_steps_free>;
-
 // Handles owned by Python objects.
 struct motion_object {
-    motion_handle handle;
+    owned::motion handle;
 };
 struct problem_object {
-    problem_handle handle;
+    owned::problem handle;
 };
 struct sampler_object {
-    sampler_handle handle;
+    owned::sampler handle;
 };
 
 // decimal, uncertainty, rigour: the parts of a Ball.
@@ -102,7 +90,7 @@ inline number_parts parts_of(const libration_number* number) {
 
 template <class Call>
 number_parts number(const Call& call) {
-    return parts_of(made<number_handle>(call).get());
+    return parts_of(made<owned::number>(call).get());
 }
 
 inline table_parts parts_of(const libration_table* found) {
@@ -126,7 +114,7 @@ inline table_parts parts_of(const libration_table* found) {
 
 template <class Call>
 table_parts table(const Call& call) {
-    return parts_of(made<table_handle>(call).get());
+    return parts_of(made<owned::table>(call).get());
 }
 
 // For a call that returns a table of known values even if it fails; the exception has it as `partial`.
@@ -138,7 +126,7 @@ table_parts known_table(const Call& call) {
         const py::gil_scoped_release released;
         code = call(&handle);
     }
-    const table_handle found(handle);
+    const owned::table found(handle);
     if (code != LIBRATION_OK) {
         raise(code, found ? py::cast(parts_of(found.get())) : py::none());
     }

@@ -9,6 +9,7 @@
 namespace {
 
 using namespace libration::python;
+namespace owned = libration::owned;
 
 using doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
@@ -59,7 +60,7 @@ std::pair<doubles, doubles> steps(const problem_object& of, double begin, const 
     }
     const double* const from = start.data();
     const auto found =
-        made<steps_handle>([&](auto** to) { return libration_steps_new(of.handle.get(), begin, from, end, to); });
+        made<owned::steps>([&](auto** to) { return libration_steps_new(of.handle.get(), begin, from, end, to); });
     const auto count = static_cast<py::ssize_t>(libration_steps_count(found.get()));
     const auto powers = static_cast<py::ssize_t>(libration_steps_order(found.get())) + 1;
     return {doubles(count + 1, libration_steps_times(found.get())),
@@ -81,7 +82,7 @@ std::tuple<std::string, long, unsigned long, long> exact_parts(const libration_n
 void define_motions(py::module_& m) {
     py::class_<motion_object> motion(m, "Motion");
     motion.def(py::init([](const std::string& given) {
-        return motion_object{made<motion_handle>([&](auto** to) { return libration_motion_new(given.c_str(), to); })};
+        return motion_object{made<owned::motion>([&](auto** to) { return libration_motion_new(given.c_str(), to); })};
     }));
     motion.def("regime", [](const motion_object& of) { return libration_motion_regime(of.handle.get()); });
     const auto define = [&](const char* name, auto* function) {
@@ -122,7 +123,7 @@ void define_motions(py::module_& m) {
     py::class_<sampler_object>(m, "Sampler")
         .def(py::init([](const motion_object& of) {
             return sampler_object{
-                made<sampler_handle>([&](auto** to) { return libration_sampler_new(of.handle.get(), to); })};
+                made<owned::sampler>([&](auto** to) { return libration_sampler_new(of.handle.get(), to); })};
         }))
         .def("at", sampled);
 }
@@ -131,7 +132,7 @@ void define_problems(py::module_& m) {
     py::class_<problem_object> problem(m, "Problem");
     problem.def(py::init([](const std::string& text, const std::string& settings) {
         return problem_object{
-            made<problem_handle>([&](auto** to) { return libration_problem_new(text.c_str(), settings.c_str(), to); })};
+            made<owned::problem>([&](auto** to) { return libration_problem_new(text.c_str(), settings.c_str(), to); })};
     }));
     problem.def("names", [](const problem_object& of) {
         std::vector<std::string> names;
@@ -174,8 +175,8 @@ void define_problems(py::module_& m) {
         libration_number* lower = nullptr;
         libration_number* upper = nullptr;
         run([&] { return libration_problem_radius_bounds(of.handle.get(), digits, &lower, &upper); });
-        const number_handle below(lower);
-        const number_handle above(upper);
+        const owned::number below(lower);
+        const owned::number above(upper);
         return std::pair(parts_of(lower), parts_of(upper));
     });
     problem.def("singularities",
@@ -218,7 +219,7 @@ void define_problems(py::module_& m) {
 class number_object {
 public:
     number_object(const std::string& decimal, const std::string& uncertainty, int rigour)
-        : handle_(made<number_handle>(
+        : handle_(made<owned::number>(
               [&](auto** to) { return libration_number_of(decimal.c_str(), uncertainty.c_str(), rigour, to); })) {}
 
     double nearest() const {
@@ -235,7 +236,7 @@ public:
     auto exact() const { return exact_parts(handle_.get()); }
 
 private:
-    number_handle handle_;
+    owned::number handle_;
 };
 
 }  // namespace
