@@ -1,5 +1,7 @@
 #include "collocation_nodes.hpp"
 
+#include <flint/fmpq.h>
+
 namespace libration::ode {
 
 namespace {
