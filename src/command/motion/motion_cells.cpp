@@ -138,8 +138,7 @@ typed_motion motion_cells::read(const number_notation& by) const {
     }
     require_consistent(*this, typed);
     if (typed.by_state()) {
-        const int sign = sign_of_exact(*typed.omega0);
-        if (!direction.text.empty() && sign != 0 && sign != typed.direction) {
+        if (!direction.text.empty() && sign_of_exact(*typed.omega0) == -typed.direction) {
             refuse(direction, omega0);
         }
         typed.gap = typed.energy = std::nullopt;
