@@ -218,11 +218,15 @@ void problem_options::warn_of_unused(const std::string& written) const {
     }
 }
 
-ode::equation_system problem_options::equations(
-    const std::vector<std::pair<std::string, std::string>>& by_options) const {
+void problem_options::require() const {
     if (!is_chosen()) {
         throw input_error("no problem is given: add --problem P");
     }
+}
+
+ode::equation_system problem_options::equations(
+    const std::vector<std::pair<std::string, std::string>>& by_options) const {
+    require();
     const std::string written = problem_named(*problem_).text;
     auto system = naming_option("--problem", [&] { return ode::parse(written); });
     warn_of_unused(written);

@@ -64,6 +64,8 @@ public:
     std::unique_ptr<libration::solution> general_solution() const;
     /// Whether a problem is given. Throws input_error for --set and --general without --problem.
     bool is_chosen() const;
+    /// Throws input_error if no problem is given.
+    void require() const;
     /// The problem solved for its highest derivatives. Throws input_error, also for --set without --problem.
     ode::explicit_system choose() const;
     /// The same as it is written, with the changes; other options, by their names, may give values X = VALUE to what

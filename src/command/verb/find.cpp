@@ -182,6 +182,7 @@ int print_solutions(const find_options& options, const found_solutions& found, l
 
 int run_find(const find_options& options) {
     options.output.check();
+    options.problem.require();
     const long digits = digits_of(options.digits);
     if (options.periodic == !options.unknowns.empty()) {
         throw input_error(options.periodic

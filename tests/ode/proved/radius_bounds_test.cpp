@@ -10,8 +10,8 @@
 #include <numbers>
 #include <string>
 
-#include "libration/ode/constant_solution.hpp"
 #include "libration/ode/parse.hpp"
+#include "libration/ode/proved/constant_solution.hpp"
 #include "libration/ode/proved/proved_singularity.hpp"
 #include "libration/pendulum/singularity/singularities.hpp"
 #include "libration/problem/catalogue.hpp"

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "disc_path.hpp"
-#include "libration/ode/constant_solution.hpp"
 #include "libration/ode/dependency.hpp"
 #include "libration/ode/first_order_form.hpp"
+#include "libration/ode/proved/constant_solution.hpp"
 #include "libration/ode/singularity/regular_coordinates.hpp"
 #include "libration/scalar/ball/decimal.hpp"
 #include "libration/scalar/ball/functions.hpp"

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "libration/ode/constant_solution.hpp"
+#include "libration/ode/proved/constant_solution.hpp"
 #include "libration/ode/proved/proved_trajectory.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/text/printed_number.hpp"

@@ -1,11 +1,16 @@
-#include "libration/ode/constant_solution.hpp"
+// Solutions that stay at their initial values.
+#pragma once
 
 #include <algorithm>
 #include <optional>
 
+#include "libration/ode/explicit_system.hpp"
+
 namespace libration::ode {
 
-bool is_constant(const explicit_system& system) {
+/// Whether the solution is constant: the derivatives given as initial values are 0, and the right-hand sides vanish
+/// identically at these values. False if that does not follow by exact arithmetic, and for a singular initial point.
+inline bool is_constant(const explicit_system& system) {
     if (system.singular()) {
         return false;
     }
