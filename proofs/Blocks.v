@@ -25,83 +25,89 @@ Proof.
   assert (A := Rle_abs (2 * P * (a * b))). lra.
 Qed.
 
-Section Blocks.
-Variables (n m : nat) (block : nat -> nat).
-
-(* 1 for the entries of block b *)
-Definition member (b i : nat) : R := if Nat.eqb (block i) b then 1 else 0.
-Definition square (b : nat) (c : nat -> R) : R := Sum n (fun i => member b i * (c i * c i)).
+(* 1 for the entries of block b. Rows and columns of a matrix may have different blocks. *)
+Definition member (block : nat -> nat) (b i : nat) : R := if Nat.eqb (block i) b then 1 else 0.
+Definition square (n : nat) (block : nat -> nat) (b : nat) (c : nat -> R) : R :=
+  Sum n (fun i => member block b i * (c i * c i)).
 (* the square of the Frobenius norm of a block *)
-Definition frobenius (b d : nat) (M : nat -> nat -> R) : R :=
-  Sum n (fun i => member b i * Sum n (fun j => member d j * (M i j * M i j))).
-Definition form (b d : nat) (M : nat -> nat -> R) (c : nat -> R) : R :=
-  Sum n (fun i => member b i * (c i * Sum n (fun j => member d j * (M i j * c j)))).
+Definition frobenius (n : nat) (block block' : nat -> nat) (b d : nat) (M : nat -> nat -> R) : R :=
+  Sum n (fun i => member block b i * Sum n (fun j => member block' d j * (M i j * M i j))).
+Definition form (n : nat) (block block' : nat -> nat) (b d : nat) (M : nat -> nat -> R) (u c : nat -> R) : R :=
+  Sum n (fun i => member block b i * (u i * Sum n (fun j => member block' d j * (M i j * c j)))).
 
-Lemma member_idem b i : member b i * member b i = member b i.
+Lemma member_idem block b i : member block b i * member block b i = member block b i.
 Proof. unfold member. destruct Nat.eqb; ring. Qed.
-Lemma member_nonneg b i : 0 <= member b i.
+Lemma member_nonneg block b i : 0 <= member block b i.
 Proof. unfold member. destruct Nat.eqb; lra. Qed.
-Lemma square_nonneg b c : 0 <= square b c.
+Lemma square_nonneg n block b c : 0 <= square n block b c.
 Proof. apply Sum_nonneg. intros. apply Rmult_le_pos; [apply member_nonneg | apply Rle_0_sqr]. Qed.
 
-Lemma block_cauchy b f g :
-  Sum n (fun i => member b i * (f i * g i)) * Sum n (fun i => member b i * (f i * g i)) <= square b f * square b g.
+Lemma abs_square x : Rabs x * Rabs x = x * x.
+Proof. rewrite <- Rabs_mult. apply Rabs_pos_eq, Rle_0_sqr. Qed.
+
+Lemma square_le n block b f g : (forall i, (i < n)%nat -> Rabs (f i) <= g i) -> square n block b f <= square n block b g.
 Proof.
-  assert (E : forall h k, Sum n (fun i => member b i * (h i * k i)) = Sum n (fun i => member b i * h i * (member b i * k i))).
-  { intros. apply Sum_ext. intros. rewrite <- (member_idem b i) at 1. ring. }
+  intros H. apply Sum_le. intros i Hi. apply Rmult_le_compat_l; [apply member_nonneg|].
+  rewrite <- (abs_square (f i)). apply Rmult_le_compat; auto using Rabs_pos.
+Qed.
+
+Lemma frobenius_le n block block' b d M C : (forall i j, (i < n)%nat -> (j < n)%nat -> Rabs (M i j) <= C i j) ->
+  frobenius n block block' b d M <= frobenius n block block' b d C.
+Proof.
+  intros H. apply Sum_le. intros i Hi. apply Rmult_le_compat_l; [apply member_nonneg|].
+  apply (square_le n block' d (M i) (C i)). auto.
+Qed.
+
+Lemma block_cauchy n block b f g :
+  Sum n (fun i => member block b i * (f i * g i)) * Sum n (fun i => member block b i * (f i * g i))
+  <= square n block b f * square n block b g.
+Proof.
+  assert (E : forall h k, Sum n (fun i => member block b i * (h i * k i))
+    = Sum n (fun i => member block b i * h i * (member block b i * k i))).
+  { intros. apply Sum_ext. intros. rewrite <- (member_idem block b i) at 1. ring. }
   unfold square. rewrite !E. apply cauchy.
 Qed.
 
-(* <f_b, g_b> <= r R for |f_b| <= r, |g_b| <= R *)
-Lemma block_product b f g r R : 0 <= r -> 0 <= R -> square b f <= r * r -> square b g <= R * R ->
-  Rabs (Sum n (fun i => member b i * (f i * g i))) <= r * R.
+(* <f_b, g_b> <= r s for |f_b| <= r, |g_b| <= s *)
+Lemma block_product n block b f g r s : 0 <= r -> 0 <= s ->
+  square n block b f <= r * r -> square n block b g <= s * s ->
+  Rabs (Sum n (fun i => member block b i * (f i * g i))) <= r * s.
 Proof.
-  intros Hr HR Hf Hg. apply abs_le_of_square; [apply Rmult_le_pos; auto|].
+  intros Hr Hs Hf Hg. apply abs_le_of_square; [apply Rmult_le_pos; auto|].
   eapply Rle_trans; [apply block_cauchy|].
-  replace (r * R * (r * R)) with (r * r * (R * R)) by ring.
+  replace (r * s * (r * s)) with (r * r * (s * s)) by ring.
   apply Rmult_le_compat; auto using square_nonneg.
 Qed.
 
-Lemma form_bound b d M c r R N : 0 <= r -> 0 <= R -> 0 <= N -> square b c <= r * r -> square d c <= R * R ->
-  frobenius b d M <= N * N -> Rabs (form b d M c) <= r * (N * R).
+(* <u_b, M_bd c_d> <= r (N s) for |u_b| <= r, |c_d| <= s and the norm N of M_bd *)
+Lemma form_bound n block block' b d M u c r s N : 0 <= r -> 0 <= s -> 0 <= N ->
+  square n block b u <= r * r -> square n block' d c <= s * s -> frobenius n block block' b d M <= N * N ->
+  Rabs (form n block block' b d M u c) <= r * (N * s).
 Proof.
-  intros Hr HR HN Hb Hd HF. unfold form.
-  apply (block_product b c (fun i => Sum n (fun j => member d j * (M i j * c j)))); auto; [apply Rmult_le_pos; auto|].
-  apply Rle_trans with (Sum n (fun i => member b i * Sum n (fun j => member d j * (M i j * M i j)) * (R * R))).
+  intros Hr Hs HN Hb Hd HF. unfold form.
+  apply (block_product n block b u (fun i => Sum n (fun j => member block' d j * (M i j * c j)))); auto;
+    [apply Rmult_le_pos; auto|].
+  apply Rle_trans with (Sum n (fun i => member block b i * Sum n (fun j => member block' d j * (M i j * M i j)) * (s * s))).
   - apply Sum_le. intros i Hi. rewrite Rmult_assoc. apply Rmult_le_compat_l; [apply member_nonneg|].
-    eapply Rle_trans; [apply block_cauchy|]. apply Rmult_le_compat_l; auto. apply (square_nonneg d (M i)).
-  - rewrite Sum_scal_r. replace (N * R * (N * R)) with (N * N * (R * R)) by ring.
+    eapply Rle_trans; [apply block_cauchy|]. apply Rmult_le_compat_l; auto. apply (square_nonneg n block' d (M i)).
+  - rewrite Sum_scal_r. replace (N * s * (N * s)) with (N * N * (s * s)) by ring.
     apply Rmult_le_compat_r; auto. apply Rle_0_sqr.
 Qed.
 
-Lemma frobenius_le b d M C : (forall i j, (i < n)%nat -> (j < n)%nat -> Rabs (M i j) <= C i j) ->
-  frobenius b d M <= frobenius b d C.
-Proof.
-  intros H. apply Sum_le. intros i Hi. apply Rmult_le_compat_l; [apply member_nonneg|].
-  apply Sum_le. intros j Hj. apply Rmult_le_compat_l; [apply member_nonneg|].
-  specialize (H i j Hi Hj). assert (P := Rabs_pos (M i j)).
-  replace (M i j * M i j) with (Rabs (M i j) * Rabs (M i j)) by (rewrite <- Rabs_mult; apply Rabs_pos_eq, Rle_0_sqr).
-  apply Rmult_le_compat; auto.
-Qed.
-
-Lemma square_le b f g : (forall i, (i < n)%nat -> Rabs (f i) <= g i) -> square b f <= square b g.
-Proof.
-  intros H. apply Sum_le. intros i Hi. apply Rmult_le_compat_l; [apply member_nonneg|].
-  specialize (H i Hi). assert (P := Rabs_pos (f i)).
-  replace (f i * f i) with (Rabs (f i) * Rabs (f i)) by (rewrite <- Rabs_mult; apply Rabs_pos_eq, Rle_0_sqr).
-  apply Rmult_le_compat; auto.
-Qed.
-
-Lemma form_plus b d M N c : form b d (fun i j => M i j + N i j) c = form b d M c + form b d N c.
+Lemma form_plus n block block' b d M N u c :
+  form n block block' b d (fun i j => M i j + N i j) u c = form n block block' b d M u c + form n block block' b d N u c.
 Proof.
   unfold form. rewrite <- Sum_plus. apply Sum_ext. intros i _.
-  rewrite (Sum_ext n _ (fun j => member d j * (M i j * c j) + member d j * (N i j * c j))) by (intros; ring).
+  rewrite (Sum_ext n _ (fun j => member block' d j * (M i j * c j) + member block' d j * (N i j * c j))) by (intros; ring).
   rewrite Sum_plus. ring.
 Qed.
 
-Hypothesis block_below : forall i, (i < n)%nat -> (block i < m)%nat.
+(* Sums over all entries as sums over the m blocks. *)
+Section Total.
+Variables (n m : nat) (block : nat -> nat).
+Hypothesis below : forall i, (i < n)%nat -> (block i < m)%nat.
 
-Lemma Sum_members f : Sum n f = Sum m (fun b => Sum n (fun i => member b i * f i)).
+Lemma Sum_members f : Sum n f = Sum m (fun b => Sum n (fun i => member block b i * f i)).
 Proof.
   rewrite Sum_swap. apply Sum_ext. intros i Hi.
   rewrite (Sum_ext m _ (fun b => delta (block i) b * f i)) by (intros; reflexivity).
@@ -110,29 +116,46 @@ Proof.
   rewrite Sum_delta by auto. ring.
 Qed.
 
-Lemma form_total b M c :
-  Sum n (fun i => member b i * (c i * Sum n (fun j => M i j * c j))) = Sum m (fun d => form b d M c).
+Lemma form_total block' b M u c :
+  Sum n (fun i => member block' b i * (u i * Sum n (fun j => M i j * c j))) = Sum m (fun d => form n block' block b d M u c).
 Proof.
   unfold form. rewrite Sum_swap. apply Sum_ext. intros i Hi.
   rewrite Sum_scal. f_equal. rewrite Sum_scal. f_equal. apply Sum_members.
 Qed.
 
 (* |sum of v_i c_i| <= sum over the blocks of the product of the norms *)
-Lemma row_bound v c nv r : (forall b, (b < m)%nat -> 0 <= nv b /\ square b v <= nv b * nv b) ->
-  (forall b, (b < m)%nat -> 0 <= r b /\ square b c <= r b * r b) ->
+Lemma row_bound v c nv r : (forall b, (b < m)%nat -> 0 <= nv b /\ square n block b v <= nv b * nv b) ->
+  (forall b, (b < m)%nat -> 0 <= r b /\ square n block b c <= r b * r b) ->
   Rabs (Sum n (fun i => v i * c i)) <= Sum m (fun b => nv b * r b).
 Proof.
   intros Hv Hc. rewrite Sum_members. eapply Rle_trans; [apply Sum_abs|]. apply Sum_le. intros b Hb.
   destruct (Hv b Hb), (Hc b Hb). apply block_product; auto.
 Qed.
 
-(* Every entry is at most the norm of its block. *)
-Lemma entry_bound c r i : (i < n)%nat -> 0 <= r -> square (block i) c <= r * r -> Rabs (c i) <= r.
+(* The norm of a block of G c + g. *)
+Lemma block_triangle block' b v G c g F r k :
+  (forall i, (i < n)%nat -> v i = Sum n (fun j => G i j * c j) + g i) ->
+  (forall d, (d < m)%nat -> 0 <= F d /\ frobenius n block' block b d G <= F d * F d) ->
+  (forall d, (d < m)%nat -> 0 <= r d /\ square n block d c <= r d * r d) ->
+  0 <= k -> square n block' b g <= k * k ->
+  square n block' b v <= (Sum m (fun d => F d * r d) + k) * (Sum m (fun d => F d * r d) + k).
 Proof.
-  intros Hi Hr H. apply abs_le_of_square; auto. eapply Rle_trans; [|exact H].
-  unfold square. apply Rle_trans with (member (block i) i * (c i * c i)).
-  - unfold member. rewrite Nat.eqb_refl. lra.
-  - apply (Sum_term_le n i (fun i0 => member (block i) i0 * (c i0 * c i0))); auto. intros.
-    apply Rmult_le_pos; [apply member_nonneg | apply Rle_0_sqr].
+  intros Hv HF Hr Hk Hg. set (S := Sum m (fun d => F d * r d) + k).
+  assert (HS : 0 <= Sum m (fun d => F d * r d)).
+  { apply Sum_nonneg. intros d Hd. apply Rmult_le_pos; [apply HF | apply Hr]; auto. }
+  set (x := sqrt (square n block' b v)).
+  assert (Hx : 0 <= x) by apply sqrt_pos.
+  assert (Exx : x * x = square n block' b v) by (apply sqrt_sqrt, square_nonneg).
+  assert (L : x * x <= x * S).
+  { rewrite Exx at 1. unfold square.
+    rewrite (Sum_ext n _ (fun i => member block' b i * (v i * Sum n (fun j => G i j * c j)) + member block' b i * (v i * g i)))
+      by (intros i Hi; rewrite (Hv i Hi) at 2; ring).
+    rewrite Sum_plus, form_total. unfold S. rewrite Rmult_plus_distr_l. apply Rplus_le_compat.
+    - rewrite <- Sum_scal. apply Sum_le. intros d Hd. eapply Rle_trans; [apply Rle_abs|].
+      destruct (HF d Hd), (Hr d Hd). apply form_bound; auto. rewrite Exx. apply Rle_refl.
+    - eapply Rle_trans; [apply Rle_abs|]. apply block_product; auto. rewrite Exx. apply Rle_refl. }
+  rewrite <- Exx. destruct (Rle_lt_or_eq_dec 0 x Hx) as [Hp | <-].
+  - assert (x <= S) by (apply Rmult_le_reg_l with x; auto). apply Rmult_le_compat; auto.
+  - rewrite Rmult_0_l. apply Rle_0_sqr.
 Qed.
-End Blocks.
+End Total.

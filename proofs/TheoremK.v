@@ -86,14 +86,15 @@ Hypothesis HV : forall i j t, (i < n)%nat -> (j < n)%nat -> s <= t <= u -> deriv
 Hypothesis Hext : forall i t v v', (i < n)%nat -> (forall j, (j < n)%nat -> v j = v' j) -> f i t v = f i t v'.
 
 (* z bounds U V - 1, and N bounds (U V)^-1. *)
-Variables (z : matrix) (q rq KU : R).
+Variables (z : matrix) (q rq : R).
 Definition UV (t : R) : matrix := prod n (at_time U t) (at_time V t).
 Hypothesis Hz : forall t i j, s <= t <= u -> (i < n)%nat -> (j < n)%nat -> Rabs (UV t i j - delta i j) <= z i j.
 Hypothesis Hq : forall i, (i < n)%nat -> Sum n (z i) <= q.
 Hypothesis Hq1 : q < 1.
 Hypothesis Hrq : 1 <= rq * (1 - q).
 Definition less_one (i j : nat) : R := z i j + Sum n (fun k => prod n z z i k) * rq.
-Definition N (i j : nat) : R := delta i j + less_one i j.
+Variable N : matrix.
+Hypothesis HN : forall i j, (i < n)%nat -> (j < n)%nat -> delta i j + less_one i j <= N i j.
 
 Definition X (t : R) : matrix :=
   match Rle_dec s t, Rle_dec t u with
@@ -118,7 +119,8 @@ Qed.
 Lemma X_bound t i j : s <= t <= u -> (i < n)%nat -> (j < n)%nat -> Rabs (X t i j) <= N i j.
 Proof.
   intros Ht Hi Hj. replace (X t i j) with (delta i j + (X t i j - delta i j)) by ring.
-  eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat; [|apply X_less_one; auto].
+  eapply Rle_trans; [|apply HN; auto]. eapply Rle_trans; [apply Rabs_triang|].
+  apply Rplus_le_compat; [|apply X_less_one; auto].
   unfold delta. destruct Nat.eqb; rewrite ?Rabs_R1, ?Rabs_R0; lra.
 Qed.
 
@@ -132,24 +134,27 @@ Qed.
 Variables (Ub Vb B0b Eb : matrix) (J : nat -> nat -> R -> R) (du rho : nat -> R).
 Definition JVd (t : R) : matrix := fun k j => Sum n (fun l => J k l t * V l j t) - dV k j t.
 Definition B0 (t : R) : matrix := fun i j => Sum n (fun k => U i k t * JVd t k j).
-Definition full : matrix := prod n N (fun i j => B0b i j + prod n Ub (prod n Eb Vb) i j).
-Definition more : matrix := fun i j => full i j - B0b i j.
+(* bounds of V^-1 (f_y V - V'), and of its distance from B0 *)
+Variables (full more : matrix) (dd : nat -> R).
+Let exact : matrix := prod n N (fun i j => B0b i j + prod n Ub (prod n Eb Vb) i j).
+Hypothesis Hfull : forall i j, (i < n)%nat -> (j < n)%nat -> exact i j <= full i j /\ exact i j - B0b i j <= more i j.
 Hypothesis HUb : forall t i j, s <= t <= u -> (i < n)%nat -> (j < n)%nat -> Rabs (U i j t) <= Ub i j.
 Hypothesis HVb : forall t i j, s <= t <= u -> (i < n)%nat -> (j < n)%nat -> Rabs (V i j t) <= Vb i j.
 Hypothesis HB0 : forall t i j, s <= t <= u -> (i < n)%nat -> (j < n)%nat -> Rabs (B0 t i j) <= B0b i j.
 Hypothesis Hdu : forall t i, s <= t <= u -> (i < n)%nat ->
   Rabs (Sum n (fun k => U i k t * (f k t (fun j => p j t) - dp k t))) <= du i.
+Hypothesis Hdd : forall i, (i < n)%nat -> apply n N du i <= dd i.
 Hypothesis Hlinear : forall t w, s <= t <= u -> (forall i, (i < n)%nat -> Rabs (w i) <= rho i) ->
   exists E : matrix, (forall i j, (i < n)%nat -> (j < n)%nat -> Rabs (E i j) <= Eb i j) /\
   forall i, (i < n)%nat -> f i t (fun j => p j t + w j) = f i t (fun j => p j t) + Sum n (fun j => (J i j t + E i j) * w j).
 
 (* The rates of the blocks, and the radii. *)
 Variables (A : nat -> nat -> R) (L nd D : nat -> R) (r dr : nat -> R -> R) (eps0 : R).
-Hypothesis HL : forall t b c, s <= t <= u -> (b < m)%nat -> form n block b b (B0 t) c <= L b * square n block b c.
-Hypothesis Hnd : forall b, (b < m)%nat -> 0 <= nd b /\ frobenius n block b b more <= nd b * nd b.
-Hypothesis Hoff : forall b d, (b < m)%nat -> (d < m)%nat -> b <> d -> 0 <= A b d /\ frobenius n block b d full <= A b d * A b d.
+Hypothesis HL : forall t b c, s <= t <= u -> (b < m)%nat -> form n block block b b (B0 t) c c <= L b * square n block b c.
+Hypothesis Hnd : forall b, (b < m)%nat -> 0 <= nd b /\ frobenius n block block b b more <= nd b * nd b.
+Hypothesis Hoff : forall b d, (b < m)%nat -> (d < m)%nat -> b <> d -> 0 <= A b d /\ frobenius n block block b d full <= A b d * A b d.
 Hypothesis Hdiag : forall b, (b < m)%nat -> A b b = L b + nd b.
-Hypothesis HD : forall b, (b < m)%nat -> 0 <= D b /\ square n block b (apply n N du) <= D b * D b.
+Hypothesis HD : forall b, (b < m)%nat -> 0 <= D b /\ square n block b dd <= D b * D b.
 Hypothesis Heps : 0 < eps0.
 Hypothesis Hr : forall b t, (b < m)%nat -> s <= t <= u -> 0 <= r b t /\ deriv_on s u (r b) t (dr b t).
 Hypothesis Hgrow : forall b t, (b < m)%nat -> s <= t <= u -> Sum m (fun c => A b c * r c t) + D b <= dr b t.
@@ -201,7 +206,7 @@ Proof. exact (apply_prod n (X t) (at_time U t) v j). Qed.
 
 Lemma c_linear t : s <= t <= u -> (forall i, (i < n)%nat -> Rabs (w i t) <= rho i) ->
   exists M d, (forall i j, (i < n)%nat -> (j < n)%nat -> Rabs (M i j - B0 t i j) <= more i j /\ Rabs (M i j) <= full i j) /\
-  (forall i, (i < n)%nat -> Rabs (d i) <= apply n N du i) /\
+  (forall i, (i < n)%nat -> Rabs (d i) <= dd i) /\
   forall j, (j < n)%nat -> dc j t = Sum n (fun i => M j i * c i t) + d j.
 Proof.
   intros Ht Hw. destruct (Hlinear t (fun i => w i t) Ht Hw) as (E & HE & Hf).
@@ -221,18 +226,21 @@ Proof.
           rewrite Sum_minus, (Sum_delta n i (fun k => B0 t k j)) by auto.
           rewrite (Sum_ext n (fun k => X t i k * (B0 t k j + UEV k j)) (fun k => X t i k * B0 t k j + X t i k * UEV k j))
             by (intros; ring). rewrite Sum_plus. ring. }
-      replace (more i j) with (Sum n (fun k => less_one i k * B0b k j) + prod n N (prod n Ub (prod n Eb Vb)) i j).
-      2:{ unfold more, full. unfold prod at 1 4.
+      eapply Rle_trans; [|apply (Hfull i j Hi Hj)].
+      replace (exact i j - B0b i j) with (Sum n (fun k => (N i k - delta i k) * B0b k j) + prod n N (prod n Ub (prod n Eb Vb)) i j).
+      2:{ unfold exact. unfold prod at 1 4.
           rewrite (Sum_ext n (fun k => N i k * (B0b k j + prod n Ub (prod n Eb Vb) k j))
-            (fun k => (delta i k * B0b k j + less_one i k * B0b k j) + N i k * prod n Ub (prod n Eb Vb) k j)).
-          - rewrite !Sum_plus, (Sum_delta n i (fun k => B0b k j)) by auto. ring.
-          - intros. unfold N. ring. }
+            (fun k => (delta i k * B0b k j + (N i k - delta i k) * B0b k j) + N i k * prod n Ub (prod n Eb Vb) k j))
+            by (intros; ring).
+          rewrite !Sum_plus, (Sum_delta n i (fun k => B0b k j)) by auto. ring. }
       eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat.
-      * apply Sum_abs_mul; intros; [apply X_less_one | apply HB0]; auto.
+      * apply Sum_abs_mul; intros k Hk; [|apply HB0; auto].
+        eapply Rle_trans; [apply X_less_one; auto|]. specialize (HN i k Hi Hk). lra.
       * apply Sum_abs_mul; intros; [apply X_bound | apply HUEV]; auto.
-    + apply Sum_abs_mul; intros k Hk; [apply X_bound; auto|].
+    + eapply Rle_trans; [|apply (Hfull i j Hi Hj)].
+      apply Sum_abs_mul; intros k Hk; [apply X_bound; auto|].
       eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat; [apply HB0 | apply HUEV]; auto.
-  - intros i Hi. apply Sum_abs_mul; intros; [apply X_bound | apply Hdu]; auto.
+  - intros i Hi. eapply Rle_trans; [|apply (Hdd i Hi)]. apply Sum_abs_mul; intros; [apply X_bound | apply Hdu]; auto.
   - intros j Hj. unfold dc.
     assert (R1 : forall k, (k < n)%nat -> dw k t - Sum n (fun l => dV k l t * c l t) =
        (f k t (fun j => p j t) - dp k t)
@@ -288,22 +296,22 @@ Proof.
   rewrite Rmult_assoc. apply Rmult_le_compat_l; [lra|].
   rewrite (Sum_ext n _ (fun i => member block b i * (c i t * Sum n (fun j => M i j * c j t)) + member block b i * (c i t * d i)))
     by (intros i Hi; rewrite (Hdc i Hi); ring).
-  rewrite Sum_plus, (form_total n m block Hblock b M (fun i => c i t)), Rmult_plus_distr_l. apply Rplus_le_compat.
+  rewrite Sum_plus, (form_total n m block Hblock block b M (fun i => c i t) (fun i => c i t)), Rmult_plus_distr_l. apply Rplus_le_compat.
   - rewrite <- Sum_scal. apply Sum_le. intros e He. destruct (HR e He) as [[Re _] Qe].
     destruct (Nat.eq_dec b e) as [<- | Hne].
     + rewrite (Hdiag b Hb).
-      assert (E : form n block b b M (fun i => c i t) = form n block b b (B0 t) (fun i => c i t)
-         + form n block b b (fun i j => M i j - B0 t i j) (fun i => c i t)).
+      assert (E : form n block block b b M (fun i => c i t) (fun i => c i t) = form n block block b b (B0 t) (fun i => c i t) (fun i => c i t)
+         + form n block block b b (fun i j => M i j - B0 t i j) (fun i => c i t) (fun i => c i t)).
       { rewrite <- form_plus. unfold form. apply Sum_ext. intros i Hi. do 2 f_equal. apply Sum_ext. intros. ring. }
       rewrite E. assert (P1 := HL t b (fun i => c i t) Ht' Hb). fold (qb b t) in P1. rewrite Hq0 in P1.
       destruct (Hnd b Hb) as [Nd Fr].
-      assert (P2 : Rabs (form n block b b (fun i j => M i j - B0 t i j) (fun i => c i t)) <= rh b * (nd b * rh b)).
+      assert (P2 : Rabs (form n block block b b (fun i j => M i j - B0 t i j) (fun i => c i t) (fun i => c i t)) <= rh b * (nd b * rh b)).
       { apply form_bound; auto. eapply Rle_trans; [apply frobenius_le with (C := more); intros; apply HM; auto | exact Fr]. }
-      assert (P3 := Rle_abs (form n block b b (fun i j => M i j - B0 t i j) (fun i => c i t))).
+      assert (P3 := Rle_abs (form n block block b b (fun i j => M i j - B0 t i j) (fun i => c i t) (fun i => c i t))).
       rewrite Rmult_plus_distr_r, Rmult_plus_distr_l. lra.
     + destruct (Hoff b e Hb He Hne) as [Na Fr]. eapply Rle_trans; [apply Rle_abs|]. apply form_bound; auto. eapply Rle_trans; [apply frobenius_le with (C := full); intros; apply HM; auto | exact Fr].
   - destruct (HD b Hb) as [Db Sq]. eapply Rle_trans; [apply Rle_abs|].
-    apply block_product; auto. eapply Rle_trans; [apply square_le with (g := apply n N du); exact Hd | exact Sq].
+    apply block_product; auto. eapply Rle_trans; [apply square_le with (g := dd); exact Hd | exact Sq].
 Qed.
 
 Theorem theorem_K : in_tube s (fun i => y i s) -> forall t, s <= t <= u -> in_tube t (fun i => y i t).
