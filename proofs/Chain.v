@@ -72,8 +72,8 @@ Proof.
   - eapply Rle_trans; [apply square_le; exact Ug | exact G].
 Qed.
 
-(* A step with the values that are claimed in it: low/unit <= y_index(numerator/denominator) <= high/unit, where the
-   time is at the number place of [-1, 1]. *)
+(* A step with the values that are claimed in it: low/unit <= y_index(numerator/denominator) <= high/unit. The time
+   is within a blur of a dyadic number of [-1, 1]. *)
 Record claim := Claim { numerator : Z; denominator : Z; index : nat; low : Z; high : Z; unit : Z }.
 Definition item := (step * list (num * claim))%type.
 
@@ -85,16 +85,20 @@ Definition end_of (s : step) : states :=
     (blocks s) (block_count s) (last s).
 Definition next_begin (begin : num) (s : step) : num := add begin (scale (half s) 1).
 
-Definition num_eqb (a b : num) : bool := leb a b && leb b a.
+Definition blur : num := (BigZ.one, (-160)%Z).
+Definition blurred (P : poly) (x : num) : num := add (abs (pvalue P x)) (mul (pnorm (pderiv P)) blur).
 Definition row_reach (s : step) (x : num) (i : nat) : num :=
   nsum (block_count s) (fun b => mul
-    (vector_norm n (block_of (blocks s)) b (fun j => pvalue (pmget (frame s) i j) x))
-    (scale (add (mul (vget (first s) b) (sub one x)) (mul (vget (last s) b) (add one x))) (-1))).
+    (vector_norm n (block_of (blocks s)) b (fun j => blurred (pmget (frame s) i j) x))
+    (add (scale (add (mul (vget (first s) b) (sub one x)) (mul (vget (last s) b) (add one x))) (-1))
+         (mul (add (vget (first s) b) (vget (last s) b)) blur))).
 Definition claim_ok (begin : num) (s : step) (a : num * claim) : bool :=
-  let (x, c) := a in
-  let v := pvalue (pget (curve s) (index c)) x in let r := row_reach s x (index c) in
+  let (x, c) := a in let P := pget (curve s) (index c) in
+  let v := pvalue P x in let r := up (add (row_reach s x (index c)) (mul (pnorm (pderiv P)) blur)) in
+  let d := num_of_Z (denominator c) in let t := num_of_Z (numerator c) in
+  let miss := sub (mul d (add begin (mul (half s) (add one x)))) t in
   leb minus_one x && leb x one && Nat.ltb (index c) n && Z.ltb 0 (denominator c) && Z.ltb 0 (unit c) &&
-  num_eqb (mul (num_of_Z (denominator c)) (add begin (mul (half s) (add one x)))) (num_of_Z (numerator c)) &&
+  leb (mul d begin) t && leb t (mul d (add begin (scale (half s) 1))) && leb (abs miss) (mul (mul d (half s)) blur) &&
   leb (num_of_Z (low c)) (mul (num_of_Z (unit c)) (sub v r)) && leb (mul (num_of_Z (unit c)) (add v r)) (num_of_Z (high c)).
 
 Fixpoint chain_ok (begin : num) (old : states) (items : list item) : bool :=
@@ -184,28 +188,47 @@ Proof.
       apply (Later rest _ _ H2). rewrite next_begin_ok. fold h. lra.
 Qed.
 
-(* Bounds at a number x of a step, and on the whole step. *)
-Lemma row_reach_ok s x v i : (forall j, (j < n)%nat -> (block_of (blocks s) j < block_count s)%nat) ->
-  (forall b, (b < block_count s)%nat -> 0 <= real (vget (first s) b) /\ 0 <= real (vget (last s) b)) ->
-  -1 <= real x <= 1 -> (i < n)%nat -> in_step n s (real x) v ->
-  Rabs (v i - real (pvalue (pget (curve s) i) x)) <= real (row_reach s x i).
+(* Bounds next to a number x of a step. *)
+Lemma blurred_ok P x y : -1 <= real x <= 1 -> -1 <= y <= 1 -> Rabs (y - real x) <= real blur ->
+  Rabs (peval P y - peval P (real x)) <= real (pnorm (pderiv P)) * real blur.
 Proof.
-  intros Hb Hr Hx Hi (c & Hc & Hsq). rewrite (Hc i Hi), pvalue_ok.
-  replace (_ + _ - _) with (Sum n (fun j => peval (pmget (frame s) i j) (real x) * c j)) by ring.
-  unfold row_reach. rewrite real_sum.
-  rewrite (Sum_ext _ (fun b => real (mul _ _)) (fun b => real (vector_norm n (block_of (blocks s)) b (fun j => pvalue (pmget (frame s) i j) x)) * radius s b (real x))).
-  2:{ intros b Hb'. rewrite real_mul, real_scale, real_add, !real_mul, real_sub, real_add, real_one. f_equal. unfold radius.
-      replace (pow2 (-1)) with (/ 2) by (unfold pow2; simpl; field). field. }
-  apply (row_bound n (block_count s) (block_of (blocks s)) Hb); intros b Hb'.
-  - destruct (vector_norm_ok n (block_of (blocks s)) b (fun j => pvalue (pmget (frame s) i j) x)) as [P1 P2]. split; [exact P1|].
-    eapply Rle_trans; [right | exact P2]. apply Sum_ext. intros j Hj. rewrite pvalue_ok. reflexivity.
-  - split; [|auto]. destruct (Hr b Hb') as [R0 R1]. unfold radius.
-    assert (0 <= real (vget (first s) b) * (1 - real x)) by (apply Rmult_le_pos; lra).
-    assert (0 <= real (vget (last s) b) * (1 + real x)) by (apply Rmult_le_pos; lra). lra.
+  intros Hx Hy Hd. assert (Pn := pnorm_nonneg (pderiv P)).
+  apply Rle_trans with (real (pnorm (pderiv P)) * Rabs (y - real x)); [|apply Rmult_le_compat_l; auto].
+  apply (mean_value (-1) 1 (peval P) (peval (pderiv P))); auto.
+  - intros v _. apply peval_deriv.
+  - intros v Hv _. apply pnorm_ok; auto.
 Qed.
 
-Lemma num_eqb_ok a b : num_eqb a b = true -> real a = real b.
-Proof. unfold num_eqb. intros H. apply andb_prop in H as [H1 H2]. apply leb_ok in H1, H2. lra. Qed.
+Lemma row_reach_ok s x y v i : (forall j, (j < n)%nat -> (block_of (blocks s) j < block_count s)%nat) ->
+  (forall b, (b < block_count s)%nat -> 0 <= real (vget (first s) b) /\ 0 <= real (vget (last s) b)) ->
+  -1 <= real x <= 1 -> -1 <= y <= 1 -> Rabs (y - real x) <= real blur -> (i < n)%nat -> in_step n s y v ->
+  Rabs (v i - real (pvalue (pget (curve s) i) x)) <= real (row_reach s x i) + real (pnorm (pderiv (pget (curve s) i))) * real blur.
+Proof.
+  intros Hb Hr Hx Hy Hd Hi (c & Hc & Hsq). rewrite (Hc i Hi), pvalue_ok.
+  set (P := pget (curve s) i). set (W := Sum n (fun j => peval (pmget (frame s) i j) y * c j)).
+  replace (peval P y + W - peval P (real x)) with (W + (peval P y - peval P (real x))) by ring.
+  eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat; [|apply blurred_ok; auto].
+  unfold W, row_reach. rewrite real_sum.
+  rewrite (Sum_ext _ (fun b => real (mul _ _)) (fun b => real (vector_norm n (block_of (blocks s)) b (fun j => blurred (pmget (frame s) i j) x))
+    * (radius s b (real x) + (real (vget (first s) b) + real (vget (last s) b)) * real blur))).
+  2:{ intros b Hb'. rewrite real_mul, real_add, real_scale, real_add, !real_mul, real_sub, !real_add, real_one. f_equal. unfold radius.
+      replace (pow2 (-1)) with (/ 2) by (unfold pow2; simpl; field). field. }
+  apply (row_bound n (block_count s) (block_of (blocks s)) Hb); intros b Hb'.
+  - destruct (vector_norm_ok n (block_of (blocks s)) b (fun j => blurred (pmget (frame s) i j) x)) as [P1 P2]. split; [exact P1|].
+    eapply Rle_trans; [apply square_le|exact P2]. intros j Hj. unfold blurred. rewrite real_add, real_abs, real_mul, pvalue_ok.
+    replace (peval (pmget (frame s) i j) y) with (peval (pmget (frame s) i j) (real x) + (peval (pmget (frame s) i j) y - peval (pmget (frame s) i j) (real x))) by ring.
+    eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat_l, blurred_ok; auto.
+  - destruct (Hr b Hb') as [R0 R1]. set (r0 := real (vget (first s) b)) in *. set (r1 := real (vget (last s) b)) in *.
+    apply Rabs_le_both in Hd.
+    assert (Rx : 0 <= radius s b y).
+    { unfold radius. fold r0 r1. assert (0 <= r0 * (1 - y)) by (apply Rmult_le_pos; lra).
+      assert (0 <= r1 * (1 + y)) by (apply Rmult_le_pos; lra). lra. }
+    assert (Le : radius s b y <= radius s b (real x) + (r0 + r1) * real blur).
+    { unfold radius. fold r0 r1. assert (r0 * (real x - y) <= r0 * real blur) by (apply Rmult_le_compat_l; lra).
+      assert (r1 * (y - real x) <= r1 * real blur) by (apply Rmult_le_compat_l; lra).
+      assert (0 <= r0 * real blur) by (apply Rmult_le_pos; lra). assert (0 <= r1 * real blur) by (apply Rmult_le_pos; lra). lra. }
+    split; [lra|]. eapply Rle_trans; [apply (Hsq b Hb')|]. apply Rmult_le_compat; lra.
+Qed.
 
 Definition claim_time (c : claim) : R := IZR (numerator c) / IZR (denominator c).
 Definition claim_holds (c : claim) (v : R) : Prop := IZR (low c) / IZR (unit c) <= v <= IZR (high c) / IZR (unit c).
@@ -220,19 +243,29 @@ Lemma claim_sound begin s old x c v : step_ok n Q F begin s old = true -> claim_
 Proof.
   intros Hs Hc Hin. assert (Sh := step_ok_shape _ _ _ Hs).
   destruct (step_ok_parts _ _ _ Hs) as (_ & Hp & _). set (h := real (half s)) in *.
-  unfold claim_ok in Hc. rewrite !andb_true_iff in Hc. destruct Hc as [[[[[[[H1 H2] H3] H4] H5] H6] H7] H8].
-  apply leb_ok in H1, H2, H7, H8. apply num_eqb_ok in H6. apply Nat.ltb_lt in H3. apply Z.ltb_lt, IZR_lt in H4, H5.
+  unfold claim_ok in Hc. rewrite !andb_true_iff in Hc. destruct Hc as [[[[[[[[[H1 H2] H3] H4] H5] Ha] Hb] H6] H7] H8].
+  apply leb_ok in H1, H2, Ha, Hb, H6, H7, H8. apply Nat.ltb_lt in H3. apply Z.ltb_lt, IZR_lt in H4, H5.
   rewrite real_minus_one in H1. rewrite real_one in H2.
-  rewrite real_mul, !real_num_of_Z, real_add, real_mul, real_add, real_one in H6. fold h in H6.
-  assert (Et : claim_time c = real begin + h * (1 + real x)).
-  { unfold claim_time. rewrite <- H6. field. lra. }
-  assert (Hx : (claim_time c - real begin) / h - 1 = real x) by (rewrite Et; field; lra).
-  assert (B0 : 0 <= h * (1 + real x)) by (apply Rmult_le_pos; lra).
-  assert (B1 : h * (1 + real x) <= h * 2) by (apply Rmult_le_compat_l; lra).
-  rewrite Hx in Hin. specialize (Hin ltac:(lra)).
-  assert (R := row_reach_ok s x v (index c) (block_below n Q F s Sh) (radii_nonneg n Q F s Sh) (conj H1 H2) H3 Hin).
+  rewrite real_abs, real_sub, !real_mul, real_add, real_mul, real_add, real_one, !real_num_of_Z in H6. fold h in H6.
+  rewrite real_mul, !real_num_of_Z in Ha. rewrite real_mul, !real_num_of_Z, real_add, real_scale in Hb.
+  replace (pow2 1) with 2 in Hb by (unfold pow2; simpl; ring). fold h in Hb.
+  set (d := IZR (denominator c)) in *. set (y := (claim_time c - real begin) / h - 1) in *.
+  assert (Et : d * claim_time c = IZR (numerator c)) by (unfold claim_time; fold d; field; lra).
+  assert (Ey : real begin + h * (1 + y) = claim_time c) by (unfold y; field; lra).
+  rewrite <- Et in Ha, Hb, H6.
+  assert (T1 : real begin <= claim_time c) by (apply Rmult_le_reg_l with d; auto).
+  assert (T2 : claim_time c <= real begin + 2 * h) by (apply Rmult_le_reg_l with d; auto; lra).
+  assert (Y : -1 <= y <= 1) by (split; apply Rmult_le_reg_l with h; auto; lra).
+  assert (D : Rabs (y - real x) <= real blur).
+  { apply Rmult_le_reg_l with (d * h); [apply Rmult_lt_0_compat; auto|]. eapply Rle_trans; [right | exact H6].
+    rewrite <- Ey. replace (d * (real begin + h * (1 + real x)) - d * (real begin + h * (1 + y))) with (- (d * h * (y - real x))) by ring.
+    rewrite Rabs_Ropp, Rabs_mult, (Rabs_pos_eq (d * h)); [reflexivity | left; apply Rmult_lt_0_compat; auto]. }
+  specialize (Hin (conj T1 T2)).
+  assert (R := row_reach_ok s x y v (index c) (block_below n Q F s Sh) (radii_nonneg n Q F s Sh) (conj H1 H2) Y D H3 Hin).
   rewrite real_mul, real_num_of_Z, real_num_of_Z, real_sub in H7. rewrite real_mul, real_num_of_Z, real_num_of_Z, real_add in H8.
-  set (p := real (pvalue _ _)) in *. set (r := real (row_reach _ _ _)) in *. apply Rabs_le_both in R. unfold claim_holds.
+  assert (Up := up_ok (add (row_reach s x (index c)) (mul (pnorm (pderiv (pget (curve s) (index c)))) blur))).
+  rewrite real_add, real_mul in Up.
+  set (p := real (pvalue _ _)) in *. set (r := real (up _)) in *. apply Rabs_le_both in R. unfold claim_holds.
   split; apply Rmult_le_reg_l with (IZR (unit c)); auto.
   - replace (IZR (unit c) * (IZR (low c) / IZR (unit c))) with (IZR (low c)) by (field; lra).
     eapply Rle_trans; [exact H7|]. apply Rmult_le_compat_l; lra.
