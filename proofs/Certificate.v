@@ -179,3 +179,12 @@ End Sound.
 
 (* For the statements of examples: unknowns by their numbers. *)
 Definition functions (l : list (R -> R)) (i : nat) : R -> R := nth i l (fun _ => 0).
+
+(* The k-th claim of a list, with its time as a statement writes it. *)
+Lemma claim_of l (y : nat -> R -> R) : (forall k, In k l -> claim_holds k (y (index k) (claim_time k))) ->
+  forall i, (i < length l)%nat -> let k := nth i l (Claim 0 1 0 0 0 1) in
+  forall t, claim_time k = t -> claim_holds k (y (index k) t).
+Proof. intros H i Hi k t <-. apply H, nth_In, Hi. Qed.
+
+(* The parts of a conjunction, and nothing else. *)
+Ltac conjuncts := lazymatch goal with |- _ /\ _ => split; [conjuncts | conjuncts] | |- _ => idtac end.
