@@ -85,7 +85,7 @@ Definition end_of (s : step) : states :=
     (blocks s) (block_count s) (last s).
 Definition next_begin (begin : num) (s : step) : num := add begin (scale (half s) 1).
 
-Definition blur : num := (BigZ.one, (-160)%Z).
+Definition blur : num := (BigZ.one, (-500)%Z).
 Definition blurred (P : poly) (x : num) : num := add (abs (pvalue P x)) (mul (pnorm (pderiv P)) blur).
 Definition row_reach (s : step) (x : num) (i : nat) : num :=
   nsum (block_count s) (fun b => mul
