@@ -50,6 +50,12 @@ Proof.
   apply Rmult_integral in Ep, Eq. unfold p, q in Ep, Eq. lra.
 Qed.
 
+(* The same, with u found from its derivative. *)
+Lemma sin_cos_at a b {u du} (Hu : forall t, a <= t <= b -> deriv_on a b u t (du t)) s c : a <= b ->
+  (forall t, a <= t <= b -> deriv_on a b s t (c t * du t)) -> (forall t, a <= t <= b -> deriv_on a b c t (- s t * du t)) ->
+  s a = sin (u a) -> c a = cos (u a) -> forall t, a <= t <= b -> s t = sin (u t) /\ c t = cos (u t).
+Proof. intros Hab. exact (sin_cos_unique a b u du s c Hab Hu). Qed.
+
 Lemma exp_unique a b u du w : a <= b -> (forall t, a <= t <= b -> deriv_on a b u t (du t)) ->
   (forall t, a <= t <= b -> deriv_on a b w t (w t * du t)) -> w a = exp (u a) -> forall t, a <= t <= b -> w t = exp (u t).
 Proof.
