@@ -1,4 +1,4 @@
-(* Right sides of equations: expressions in the time and the unknowns with integer constants; their linear part along a
+(* Right-hand sides of equations: expressions in the time and the unknowns with integer constants; their linear part along a
    curve, with bounds of its change; and what the existence of solutions needs of them. *)
 Require Import Reals Lra Lia ZArith List Bool.
 From Libration Require Import Sums Derivative Dyadic Chebyshev Polynomial.
