@@ -49,7 +49,8 @@ Proof.
     rewrite vget_table by auto. eapply Rle_trans; [|apply up_ok]. rewrite real_abs, real_sum. right. f_equal.
     apply Sum_ext. intros l Hl. rewrite real_mul, mget_grid, vget_table, real_sub, !pvalue_ok, real_minus_one by auto. reflexivity. }
   set (first_b := real (vget (first s) b)) in *.
-  set (FR := Sum (group_count old) (fun d => real (matrix_norm n (block_of (blocks s)) (block_of (groups old)) b d (mget turned)) * real (vget (sizes old) d))).
+  set (FR := Sum (group_count old) (fun d =>
+    real (matrix_norm n (block_of (blocks s)) (block_of (groups old)) b d (mget turned)) * real (vget (sizes old) d))).
   set (g := real (vector_norm n (block_of (blocks s)) b (vget moved))).
   assert (J' : FR + g <= first_b).
   { eapply Rle_trans; [right | exact J]. unfold FR, g. f_equal. apply Sum_ext. intros. rewrite real_mul. reflexivity. }
@@ -209,14 +210,16 @@ Proof.
   replace (peval P y + W - peval P (real x)) with (W + (peval P y - peval P (real x))) by ring.
   eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat; [|apply blurred_ok; auto].
   unfold W, row_reach. rewrite real_sum.
-  rewrite (Sum_ext _ (fun b => real (mul _ _)) (fun b => real (vector_norm n (block_of (blocks s)) b (fun j => blurred (pmget (frame s) i j) x))
+  rewrite (Sum_ext _ (fun b => real (mul _ _))
+    (fun b => real (vector_norm n (block_of (blocks s)) b (fun j => blurred (pmget (frame s) i j) x))
     * (radius s b (real x) + (real (vget (first s) b) + real (vget (last s) b)) * real blur))).
   2:{ intros b Hb'. rewrite real_mul, real_add, real_scale, real_add, !real_mul, real_sub, !real_add, real_one. f_equal. unfold radius.
       replace (pow2 (-1)) with (/ 2) by (unfold pow2; simpl; field). field. }
   apply (row_bound n (block_count s) (block_of (blocks s)) Hb); intros b Hb'.
   - destruct (vector_norm_ok n (block_of (blocks s)) b (fun j => blurred (pmget (frame s) i j) x)) as [P1 P2]. split; [exact P1|].
     eapply Rle_trans; [apply square_le|exact P2]. intros j Hj. unfold blurred. rewrite real_add, real_abs, real_mul, pvalue_ok.
-    replace (peval (pmget (frame s) i j) y) with (peval (pmget (frame s) i j) (real x) + (peval (pmget (frame s) i j) y - peval (pmget (frame s) i j) (real x))) by ring.
+    replace (peval (pmget (frame s) i j) y)
+      with (peval (pmget (frame s) i j) (real x) + (peval (pmget (frame s) i j) y - peval (pmget (frame s) i j) (real x))) by ring.
     eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat_l, blurred_ok; auto.
   - destruct (Hr b Hb') as [R0 R1]. set (r0 := real (vget (first s) b)) in *. set (r1 := real (vget (last s) b)) in *.
     apply Rabs_le_both in Hd.
@@ -298,7 +301,8 @@ Lemma step_bound_ok begin s old x v i : step_ok n Q F begin s old = true -> -1 <
 Proof.
   intros Hs Hx (c & Hc & Hsq) Hi. assert (Sh := step_ok_shape _ _ _ Hs).
   assert (Tp : 0 < real tiny) by (unfold real, tiny; cbn [fst snd]; rewrite int_one, Rmult_1_l; apply pow2_pos).
-  assert (R : forall i, (i < n)%nat -> Rabs (Sum n (fun j => peval (pmget (frame s) i j) x * c j)) <= real (vget (reach n s (magnitudes n (frame s))) i)).
+  assert (R : forall i, (i < n)%nat ->
+    Rabs (Sum n (fun j => peval (pmget (frame s) i j) x * c j)) <= real (vget (reach n s (magnitudes n (frame s))) i)).
   { apply (reach_ok n Q F s Sh x c Hx). intros b Hb. eapply Rle_trans; [apply (Hsq b Hb)|].
     assert (P := radius_nonneg n Q F s Sh b x Hb Hx). apply Rmult_le_compat; lra. }
   apply Rle_trans with (real (pnorm (pget (curve s) i)) + real (vget (reach n s (magnitudes n (frame s))) i)).

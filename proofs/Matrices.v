@@ -50,7 +50,8 @@ Proof.
       destruct (IH A') as (c & Hnz & Hs).
       set (last := - Sum (S m) (fun j => A k j * c j) / A k (S m)).
       exists (fun j => if (j =? S m)%nat then last else c j). split.
-      { destruct Hnz as (j0 & Hj0 & Hc). exists j0. split; [lia|]. replace (j0 =? S m)%nat with false; auto. symmetry; apply Nat.eqb_neq; lia. }
+      { destruct Hnz as (j0 & Hj0 & Hc). exists j0. split; [lia|].
+        replace (j0 =? S m)%nat with false; auto. symmetry; apply Nat.eqb_neq; lia. }
       intros i Hi. cbn [Sum]. rewrite Nat.eqb_refl.
       assert (Hcut : forall r, Sum (S m) (fun j => A r j * (if (j =? S m)%nat then last else c j))
         = Sum (S m) (fun j => A r j * c j)).
@@ -193,6 +194,7 @@ Proof.
     - intros l Hl. rewrite (E1 l Hl) at 1. ring. }
   rewrite E2. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. apply Rplus_le_compat; [apply Hz; auto|].
   rewrite <- Sum_scal_r. unfold apply.
-  apply (Sum_abs_mul n (prod n Z Z i) (fun l => X l j) (prod n z z i) (fun _ => r)); auto. intros k Hk. unfold prod at 1. apply Sum_abs_mul; unfold Z; auto.
+  apply (Sum_abs_mul n (prod n Z Z i) (fun l => X l j) (prod n z z i) (fun _ => r)); auto.
+  intros k Hk. unfold prod at 1. apply Sum_abs_mul; unfold Z; auto.
 Qed.
 End NearOne.

@@ -159,7 +159,8 @@ Lemma reach_ok x c : -1 <= x <= 1 ->
   forall i, (i < n)%nat -> Rabs (Sum n (fun j => peval (pmget (frame s) i j) x * c j)) <= real (vget rho i).
 Proof.
   intros Hx Hc i Hi. unfold rho, reach. rewrite vget_table by auto. eapply Rle_trans; [|apply up_ok]. rewrite real_sum.
-  rewrite (Sum_ext _ (fun i0 => real (mul _ _)) (fun b => real (vector_norm n (block_of (blocks s)) b (mget V i)) * real (largest_radius s b)))
+  rewrite (Sum_ext _ (fun i0 => real (mul _ _))
+    (fun b => real (vector_norm n (block_of (blocks s)) b (mget V i)) * real (largest_radius s b)))
     by (intros; rewrite real_mul; reflexivity).
   assert (Tp : 0 < real tiny) by (unfold real, tiny; cbn [fst snd]; rewrite int_one, Rmult_1_l; apply pow2_pos).
   apply (row_bound n m block block_below); intros b Hb.
@@ -320,7 +321,8 @@ Proof.
   specialize (Result Hext (fun i j => real (mget z i j)) (real q) (real r)).
   specialize (Result (fun v i j Hv => z_ok (0 + k * v) i j (Range v Hv)) z_rows (proj1 q_ok) (proj2 q_ok)).
   specialize (Result (fun i j => real (mget N i j)) N_ok).
-  specialize (Result (fun i j => real (mget U i j)) (fun i j => real (mget V i j)) (fun i j => real (mget B0 i j)) (fun i j => real (mget change i j))).
+  specialize (Result (fun i j => real (mget U i j)) (fun i j => real (mget V i j))
+    (fun i j => real (mget B0 i j)) (fun i j => real (mget change i j))).
   specialize (Result Jt (fun i => real (vget (defect n Q s T) i)) (fun i => real (vget rho i))).
   specialize (Result (fun i j => real (mget full i j)) (fun i j => real (mget more i j)) (fun i => real (vget dd i)) full_ok).
   specialize (Result (fun v i j Hv => magnitudes_ok (coframe s) (0 + k * v) i j (Range v Hv))).

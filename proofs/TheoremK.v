@@ -300,7 +300,8 @@ Proof.
   - rewrite <- Sum_scal. apply Sum_le. intros e He. destruct (HR e He) as [[Re _] Qe].
     destruct (Nat.eq_dec b e) as [<- | Hne].
     + rewrite (Hdiag b Hb).
-      assert (E : form n block block b b M (fun i => c i t) (fun i => c i t) = form n block block b b (B0 t) (fun i => c i t) (fun i => c i t)
+      assert (E : form n block block b b M (fun i => c i t) (fun i => c i t)
+         = form n block block b b (B0 t) (fun i => c i t) (fun i => c i t)
          + form n block block b b (fun i j => M i j - B0 t i j) (fun i => c i t) (fun i => c i t)).
       { rewrite <- form_plus. unfold form. apply Sum_ext. intros i Hi. do 2 f_equal. apply Sum_ext. intros. ring. }
       rewrite E. assert (P1 := HL t b (fun i => c i t) Ht' Hb). fold (qb b t) in P1. rewrite Hq0 in P1.
@@ -309,7 +310,8 @@ Proof.
       { apply form_bound; auto. eapply Rle_trans; [apply frobenius_le with (C := more); intros; apply HM; auto | exact Fr]. }
       assert (P3 := Rle_abs (form n block block b b (fun i j => M i j - B0 t i j) (fun i => c i t) (fun i => c i t))).
       rewrite Rmult_plus_distr_r, Rmult_plus_distr_l. lra.
-    + destruct (Hoff b e Hb He Hne) as [Na Fr]. eapply Rle_trans; [apply Rle_abs|]. apply form_bound; auto. eapply Rle_trans; [apply frobenius_le with (C := full); intros; apply HM; auto | exact Fr].
+    + destruct (Hoff b e Hb He Hne) as [Na Fr]. eapply Rle_trans; [apply Rle_abs|].
+      apply form_bound; auto. eapply Rle_trans; [apply frobenius_le with (C := full); intros; apply HM; auto | exact Fr].
   - destruct (HD b Hb) as [Db Sq]. eapply Rle_trans; [apply Rle_abs|].
     apply block_product; auto. eapply Rle_trans; [apply square_le with (g := dd); exact Hd | exact Sq].
 Qed.

@@ -105,7 +105,8 @@ def convert(text, name):
         "start_box", num(*dyadic(problem.t0)), listed(num(*dyadic(x)) for x, _ in box),
         listed(num(*dyadic(x)) for _, x in box), listed(entries, ";\n   "))))
     out.append("Lemma data_ok : certificate_ok data = true.\nProof. vm_cast_no_check (eq_refl true). Qed.")
-    out.append("Lemma claims_listed : all_claims (items data) = %s.\nProof. reflexivity. Qed." % listed("claim_%d" % k for k in range(count)))
+    out.append("Lemma claims_listed : all_claims (items data) = %s.\nProof. reflexivity. Qed." % (
+        listed("claim_%d" % k for k in range(count))))
     return "\n".join(out) + "\n" + statement.text(name)
 
 

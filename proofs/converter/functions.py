@@ -51,7 +51,8 @@ class FunctionValues:
         self.log_half = -2 if kind == "exp" else -1            # steps of the lengths 1/2 and 1
         self.length = 2 * Fraction(2)**self.log_half
         self.steps = max(1, math.ceil(self.time / self.length))
-        # Radii: exp grows by less than 4 in a step of the length 1/2; the norm of the frame of sin and cos, in which joints are bounded, is sqrt(2).
+        # Radii: exp grows by less than 4 in a step of the length 1/2; the frame of sin and cos, one block, has the norm
+        # sqrt(2), by which joints widen the tube.
         self.radii, r = [], 1
         for _ in range(self.steps):
             last = (4 if kind == "exp" else 1) * r + 1
@@ -100,8 +101,9 @@ class FunctionValues:
         rights = "circle" if n == 2 else "[Times (Const (%d)) (Unknown 0)]" % self.sign
         out, entries = [], []
         for k, (first, last) in enumerate(self.radii):
+            curve = listed(self.curve((k + Fraction(1, 2)) * self.length), ";\n  ")
             out.append(definition("%s_step_%d" % (self.name, k), "step", "Step %s %s %s %s %s%%nat 1%%nat [%s] [%s]" % (
-                num(1, self.log_half), listed(self.curve((k + Fraction(1, 2)) * self.length), ";\n  "), one, one, listed(["0"] * n), num(first, -self.bits), num(last, -self.bits))))
+                num(1, self.log_half), curve, one, one, listed(["0"] * n), num(first, -self.bits), num(last, -self.bits))))
             entries.append("(%s_step_%d, " % (self.name, k))
         place = Fraction(round((2 * (self.time / self.length - self.steps + 1) - 1) * 2**502), 2**502)
         claims = []
@@ -132,7 +134,9 @@ class FunctionValues:
             turn = "replace (%d * %s)%%R with (%s)%%R in P by lra." % (self.sign, real(self.time), real(self.argument))
         else:
             use = "circle_values %s %s %s_ok eq_refl eq_refl eq_refl eq_refl %s" % (self.name, claim, self.name, there)
-            turn = "" if self.sign > 0 else "replace (%s)%%R with (- %s)%%R by lra. rewrite %s_neg." % (real(self.argument), real(self.time), kind)
-        return ("Lemma %s_%s : (%s)%%R.\nProof.\n  assert (P := %s).\n  assert (T : (claim_time %s = %s)%%R) by (unfold claim_time; simpl; lra).\n"
+            turn = "" if self.sign > 0 else "replace (%s)%%R with (- %s)%%R by lra. rewrite %s_neg." % (
+                real(self.argument), real(self.time), kind)
+        return ("Lemma %s_%s : (%s)%%R.\nProof.\n  assert (P := %s).\n"
+                "  assert (T : (claim_time %s = %s)%%R) by (unfold claim_time; simpl; lra).\n"
                 "  rewrite T in P. unfold claim_holds, functions in P. simpl in P. %s lra.\nQed." % (
                     self.name, kind, self.fact(kind), use, claim, real(self.time), turn))

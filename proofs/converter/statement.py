@@ -144,8 +144,10 @@ class Statement:
             before = "assert (D : forall j, (j < %d)%%nat -> deriv_on a b (functions %s j) t (nth j %s 0)).\n  { intros j Hj. %s. }\n  " % (
                 len(self.names), listed(self.names), rights, cases("j", ["exact H%d" % k for k in range(len(self.names))]))
         for f in self.functions:
-            steps.append("eapply deriv_eq; [|exact (deriv_%s a b _ t _ (eval_deriv %d a b (functions %s) (fun j => nth j %s 0) t u_%d eq_refl D))];\n"
-                         "    unfold right, functions, u_%d; simpl; field" % (f.kind, len(self.names), listed(self.names), rights, f.number, f.number))
+            inner = "eval_deriv %d a b (functions %s) (fun j => nth j %s 0) t u_%d eq_refl D" % (
+                len(self.names), listed(self.names), rights, f.number)
+            steps.append("eapply deriv_eq; [|exact (deriv_%s a b _ t _ (%s))];\n    unfold right, functions, u_%d; simpl; field" % (
+                f.kind, inner, f.number))
         return before + cases("i", steps)
 
     def returning(self):
@@ -156,7 +158,8 @@ class Statement:
         out = ["Lemma solution_equations a b y : %s %s\n  %s." % (form, starts, conclusion), "Proof."]
         out.append("  intros Hab H %s t Ht." % " ".join("F%d" % f.number for f in self.functions))
         if self.functions:
-            out.append("  assert (D : forall e, below %d e = true -> forall z, a <= z <= b -> deriv_on a b (fun s => eval s (fun j => y j s) e) z\n"
+            out.append("  assert (D : forall e, below %d e = true -> forall z, a <= z <= b ->\n"
+                       "    deriv_on a b (fun s => eval s (fun j => y j s) e) z\n"
                        "    (slope z (fun j => y j z) (fun j => eval z (fun l => y l z) (right right_sides j) / IZR (%d)) e)).\n"
                        "  { intros e He z Hz. apply (eval_deriv %d); [exact He | intros j Hj; apply H; auto]. }" % (self.n, self.unit, self.n))
         cosines = [f for f in self.functions if f.kind == "cos"]
@@ -169,7 +172,8 @@ class Statement:
                            "    [%s | %s | exact F%d | exact F%d | exact Ht |]." % (k, k, m, k, m, equation, equation, k, m))
             elif f.kind == "exp":
                 out.append("  assert (E%d : y %d%%nat t = exp (eval t (fun j => y j t) u_%d)).\n"
-                           "  { apply (exp_unique a b _ _ (y %d%%nat) Hab (D u_%d eq_refl)); [%s | exact F%d | exact Ht]. }" % (k, k, k, k, k, equation, k))
+                           "  { apply (exp_unique a b _ _ (y %d%%nat) Hab (D u_%d eq_refl)); [%s | exact F%d | exact Ht]. }" % (
+                               k, k, k, k, k, equation, k))
         for f in self.functions:
             out.append("  unfold u_%d in E%d; simpl in E%d." % ((f.number,) * 3))
         rewriting = "rewrite %s; " % ", ".join("?E%d" % f.number for f in self.functions) if self.functions else ""
@@ -183,10 +187,12 @@ class Statement:
         zero = " ".join("assert (Z%d : y %d%%nat %s = %s) by (apply (H0 %d%%nat); change (unknowns data) with %d%%nat; lia)." % (
             k, k, a, self.value(k), k, n) for k in range(count))
         known = "rewrite %s; " % ", ".join("?Z%d" % k for k in range(count))
-        found = " | ".join("rewrite (H0 %d%%nat) by (change (unknowns data) with %d%%nat; lia); unfold u_%d; simpl; %sfirst [reflexivity | f_equal; lra]" % (
-            f.number, n, f.number, known) for f in self.functions)
+        found = " | ".join("rewrite (H0 %d%%nat) by (change (unknowns data) with %d%%nat; lia);\n"
+                           "      unfold u_%d; simpl; %sfirst [reflexivity | f_equal; lra]" % (f.number, n, f.number, known)
+                           for f in self.functions)
         parts = {
-            "name": name, "n": n, "count": count, "unit": self.unit, "a": a, "b": b, "x": x, "full": self.full(""), "others": self.full("other_"),
+            "name": name, "n": n, "unit": self.unit, "a": a, "b": b, "x": x,
+            "full": self.full(""), "others": self.full("other_"),
             "comment": "(* The polynomial form, with one more unknown for each function. *)\n" if self.polynomial_form else "",
             "each": " /\\\n  ".join("deriv_on a b %s t (%s)" % pair for pair in zip(self.names, self.right_sides())),
             "same": " /\\ ".join("%s t = other_%s t" % (y, y) for y in self.names), "y": " ".join("other_" + y for y in self.names),
@@ -195,7 +201,8 @@ class Statement:
             "hyps": "destruct (H t Ht) as (%s)" % " & ".join("H%d" % k for k in range(count)) if count > 1 else "assert (H0 := H t Ht)",
             "solving": self.solving(), "returning": self.returning(),
             "bounds": " ".join("assert (B%d := %s_%s)." % (f.number, f.source.name, f.kind) for f in self.functions),
-            "places": " ".join("assert (G%d : %s = %s) by (f_equal; lra)." % (f.number, f.text(at), self.value(f.number)) for f in self.functions),
+            "places": " ".join("assert (G%d : %s = %s) by (f_equal; lra)." % (f.number, f.text(at), self.value(f.number))
+                               for f in self.functions),
             "box_cases": cases("i", ["unfold in_interval, initial_get, functions; change (box data) with start_box; simpl; lra"] * n),
             "same_cases": cases("i", ["unfold functions; simpl; first [assumption | f_equal; lra]"] * n),
             "values": "match i with %s | _ => 0 end" % " ".join("| %d%%nat => %s" % (k, self.value(k)) for k in range(n)),
