@@ -82,8 +82,10 @@ add_library(libration-vectors OBJECT ${vector_sources})
 set_target_properties(libration-vectors PROPERTIES
     POSITION_INDEPENDENT_CODE ON
     CXX_VISIBILITY_PRESET hidden)
-set_source_files_properties(${PROJECT_SOURCE_DIR}/src/libration/ode/lane_vectors.cpp PROPERTIES
-    COMPILE_OPTIONS -ffp-contract=off)
+set_source_files_properties(
+    ${PROJECT_SOURCE_DIR}/src/libration/ode/lane_vectors.cpp
+    ${PROJECT_SOURCE_DIR}/src/libration/ode/batch/batch_vectors.cpp
+    PROPERTIES COMPILE_OPTIONS -ffp-contract=off)
 target_include_directories(libration-vectors PRIVATE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
 target_compile_features(libration-vectors PRIVATE cxx_std_20)
 # Vectors of a length known only at run time would need other loops; processors with them also have NEON.

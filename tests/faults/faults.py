@@ -40,6 +40,24 @@ BALL_SOURCES = "src/libration/scalar/ball/"
 
 FAULTS = [
     *in_file(
+        "src/libration/ode/batch/batch_march.cpp", ["ode/batch/batch_march_test.cpp"],
+        ("the step of one lane for all", "of.length = h.value;", "of.length = lane == 0 ? h.value : lanes_[0].length;"),
+        ("a time beyond the step", "std::abs(time - centres_[lane]) <= lanes_[lane].length",
+         "std::abs(time - centres_[lane]) <= lanes_[lane].length * 4"),
+        ("a solution that ended keeps its lane", "++finished_;\n            begin_next(lane);",
+         "++finished_;\n            of.active = false;\n            --active_;"),
+        ("a singularity that ends the first lane", "!can_step(lane)) {\n                end_way(of);",
+         "!can_step(lane)) {\n                end_way(lanes_[0]);"),
+        ("backwards from the last time", "of.way = 0;\n            of.steps = 0;\n            put_at_start(lane, of.solution);",
+         "of.way = 0;\n            of.steps = 0;"),
+    ),
+    *in_file(
+        "src/libration/ode/batch/batch_expansion.cpp", ["ode/batch/batch_march_test.cpp"],
+        ("a parameter on the left multiplied as a series", "step.kind == operation::product && is_fixed(step.left)",
+         "step.kind == operation::product && false"),
+        ("sinc of the lane before", "arrays_.array(from)[k][lane]", "arrays_.array(from)[k][lane / 2]"),
+    ),
+    *in_file(
         BALL_SOURCES + "integer_product.cpp", [INTEGERS, SEQUENCES],
         ("the bound of the transform passed over", "near ? _fmpz_poly_mullow_KS", "false ? _fmpz_poly_mullow_KS"),
         ("the bound looked for without signs", "return (s < 0 || t < 0) &&", "return !(s < 0 || t < 0) &&"),

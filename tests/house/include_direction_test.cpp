@@ -71,7 +71,7 @@ std::map<std::string, rooms> order_of_rooms() {
         numerical = arc + rooms{"pendulum/numerical"},
         pendulum = numerical + proofs +
                    rooms{"pendulum", "pendulum/proved", "pendulum/sampler", "pendulum/error", "pendulum/error/proved"},
-        problem = ode + proofs + rooms{"approximant/asymptotic", "problem"},
+        problem = ode + proofs + rooms{"approximant/asymptotic", "ode/batch", "problem"},
         library =
             pendulum + problem + rooms{"problem/known", "problem/known/proved", "problem/solution", "verify/proved"},
         // The basis of every study and command does not depend on the pendulum.
@@ -104,6 +104,7 @@ std::map<std::string, rooms> order_of_rooms() {
         {"convergence/known", convergence + approximant + rooms{"ode"}},
         {"ode", convergence + approximant + functions},
         {"ode/text", ode},
+        {"ode/batch", ode},
         {"ode/ball", ode + balls + rooms{"function/ball"}},
         {"ode/singularity", ode},
         {"ode/rigorous", ode + balls + rooms{"ode/ball"}},
@@ -125,7 +126,7 @@ std::map<std::string, rooms> order_of_rooms() {
         {"pendulum/error", numerical},
         {"pendulum/error/proved", numerical + proofs + rooms{"pendulum/error"}},
         {"pendulum", numerical + rooms{"pendulum/error", "pendulum/sampler"}},
-        {"problem", ode + proofs + rooms{"approximant/asymptotic"}},
+        {"problem", ode + proofs + rooms{"approximant/asymptotic", "ode/batch"}},
         {"problem/known", pendulum + problem + rooms{"problem/known/proved", "problem/solution"}},
         {"problem/known/proved", ode + proofs},
         {"problem/solution", problem},
