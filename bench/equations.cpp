@@ -9,15 +9,11 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <boost/numeric/odeint.hpp>
-#include <cstdlib>
 #include <functional>
 #include <memory>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
-#include "../peers/slopes.hpp"
 #include "equation_peers.hpp"
 #include "libration/ode/ball/fast_product.hpp"
 #include "libration/ode/ball/taylor_expansion.hpp"
@@ -25,19 +21,16 @@
 #include "libration/ode/step.hpp"
 #include "libration/ode/trajectory.hpp"
 #include "libration/pendulum/pendulum.hpp"
+#include "peer_integration.hpp"
 #include "ratio_table.hpp"
 #include "rounds.hpp"
-#include "run/child_program.hpp"
-
-// A number of Boost.Multiprecision has a member value_type, which odeint takes for that of the state.
-template <>
-struct boost::numeric::odeint::norm_result_type<std::vector<libration::mpfr>, void> {
-    using type = libration::mpfr;
-};
 
 namespace {
 
 using namespace libration;
+using bench::ask_peer;
+using bench::least_tolerance;
+using bench::value_of;
 using series::power_series;
 
 constexpr int order = 100;
@@ -152,12 +145,6 @@ BENCHMARK_CAPTURE(blocks_in_mpfr, lorenz_1000_digits, lorenz_text)->Arg(1000)->A
 
 constexpr int digits_of_truth = 60;
 
-// The value of a decimal in T.
-template <class T>
-T value_of(const std::string& decimal) {
-    return from_exact<T>(read_exact(decimal));
-}
-
 // A problem with its solution at the end.
 struct solved_problem {
     bench::initial_value_problem problem;
@@ -217,17 +204,6 @@ void add(std::vector<bench::contender>& all, const std::string& name, std::funct
     all.push_back({name, std::move(pass), to_decimal(error, 2)});
 }
 
-// The largest 10^-k or 2^-k, first <= k <= last, with which the error is at most the requested one.
-template <class Error>
-int least_tolerance(int first, int last, const mpfr& asked, const Error& error) {
-    for (int k = first; k < last; ++k) {
-        if (error(k) <= asked) {
-            return k;
-        }
-    }
-    return last;
-}
-
 // In steps of accuracy 2^-bits. The tape and the arrays are constructed once, and each pass starts over; with `anew` a
 // pass constructs them too.
 template <class T>
@@ -251,69 +227,26 @@ void add_ours(std::vector<bench::contender>& all, const std::string& name, const
 }
 
 template <class T>
-peers::slope_function<T> slope_of(const std::string& problem) {
-    return problem == "lorenz"     ? peers::lorenz<T>
-           : problem == "kepler"   ? peers::kepler<T>
-           : problem == "pendulum" ? peers::pendulum<T>
-                                   : peers::four_body<T>;
-}
-
-template <class T>
-std::vector<T> by_odeint(const solved_problem& of, const T& tolerance) {
-    namespace odeint = boost::numeric::odeint;
-    using state = std::vector<T>;
-    using plain = odeint::runge_kutta_fehlberg78<state, T, state, T>;
-    state x;
-    for (const std::string& each : of.problem.start) {
-        x.push_back(value_of<T>(each));
-    }
-    static const plain stepper;  // static: GCC warns about the state that copies copy
-    const auto controlled = odeint::make_controlled(tolerance, tolerance, stepper);
-    const auto slopes = [slope = slope_of<T>(of.problem.name)](const state& at, state& out, const T& /*t*/) {
-        slope(at.data(), out.data());
-    };
-    odeint::integrate_adaptive(controlled, slopes, x, T(0), value_of<T>(of.problem.end), value_of<T>("0.001"));
-    return x;
-}
-
-template <class T>
 void add_odeint(std::vector<bench::contender>& all, const solved_problem& of, const mpfr& asked, int first, int last) {
     const auto tolerance = [](int k) { return value_of<T>("1e-" + std::to_string(k)); };
-    const int k =
-        least_tolerance(first, last, asked, [&](int i) { return of.error_of(by_odeint<T>(of, tolerance(i))); });
-    const mpfr error = of.error_of(by_odeint<T>(of, tolerance(k)));
-    auto pass = bench::timed(1, [&of, at = tolerance(k)] { benchmark::DoNotOptimize(by_odeint<T>(of, at)); });
-    add(all, fmt::format("Boost.odeint RKF78, tolerance 1e-{}", k), std::move(pass), error, asked);
-}
-
-// The time measured by a separate program, and its values.
-template <class T>
-struct peer_answer {
-    double nanoseconds = 0;
-    std::vector<T> values;
-};
-
-template <class T>
-peer_answer<T> ask_peer(const char* program, const std::string& input, std::size_t count) {
-    std::istringstream answer(output_of_program(program, input));
-    peer_answer<T> result;
-    answer >> result.nanoseconds;
-    std::string word;
-    for (std::size_t i = 0; i < count && answer >> word; ++i) {
-        if constexpr (std::is_same_v<T, double>) {
-            result.values.push_back(std::strtod(word.c_str(), nullptr));
-        } else {
-            result.values.push_back(value_of<T>(word));
+    const auto solved = [&of](const T& at) {
+        std::vector<T> x;
+        for (const std::string& each : of.problem.start) {
+            x.push_back(value_of<T>(each));
         }
-    }
-    return result;
+        return bench::by_odeint<T>(of.problem, x, at);
+    };
+    const int k = least_tolerance(first, last, asked, [&](int i) { return of.error_of(solved(tolerance(i))); });
+    const mpfr error = of.error_of(solved(tolerance(k)));
+    auto pass = bench::timed(1, [solved, at = tolerance(k)] { benchmark::DoNotOptimize(solved(at)); });
+    add(all, fmt::format("Boost.odeint RKF78, tolerance 1e-{}", k), std::move(pass), error, asked);
 }
 
 #ifdef LIBRATION_GSL_EQUATIONS
 void add_gsl(std::vector<bench::contender>& all, const solved_problem& of, const mpfr& asked, int first, int last) {
     const auto ask = [&of](int k, int passes) {
         std::string input =
-            fmt::format("{} 1e-{} {} {} {}\n", of.problem.name, k, passes, of.problem.end, of.problem.start.size());
+            fmt::format("{} 1e-{} {} {} {} 1\n", of.problem.name, k, passes, of.problem.end, of.problem.start.size());
         for (const std::string& each : of.problem.start) {
             input += each + "\n";
         }

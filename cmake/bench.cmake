@@ -21,16 +21,18 @@ if(TARGET libration-gsl-trajectory)
         LIBRATION_GSL_TRAJECTORY="$<TARGET_FILE:libration-gsl-trajectory>")
 endif()
 
-# Its peers solve differential equations, those of GSL and mpmath in separate programs.
-target_sources(libration-bench-equations PRIVATE ${PROJECT_SOURCE_DIR}/src/command/run/child_program.cpp)
-target_include_directories(libration-bench-equations PRIVATE ${PROJECT_SOURCE_DIR}/src/command)
+# Their peers solve differential equations, those of GSL and mpmath in separate programs.
+foreach(name IN ITEMS equations batch)
+    target_sources(libration-bench-${name} PRIVATE ${PROJECT_SOURCE_DIR}/src/command/run/child_program.cpp)
+    target_include_directories(libration-bench-${name} PRIVATE ${PROJECT_SOURCE_DIR}/src/command)
+    if(TARGET libration-gsl-equations)
+        add_dependencies(libration-bench-${name} libration-gsl-equations)
+        target_compile_definitions(libration-bench-${name} PRIVATE
+            LIBRATION_GSL_EQUATIONS="$<TARGET_FILE:libration-gsl-equations>")
+    endif()
+endforeach()
 target_compile_definitions(libration-bench-equations PRIVATE
     LIBRATION_MPMATH_EQUATIONS="${PROJECT_SOURCE_DIR}/peers/mpmath_equations.py")
-if(TARGET libration-gsl-equations)
-    add_dependencies(libration-bench-equations libration-gsl-equations)
-    target_compile_definitions(libration-bench-equations PRIVATE
-        LIBRATION_GSL_EQUATIONS="$<TARGET_FILE:libration-gsl-equations>")
-endif()
 
 # Runs the engine of the studies.
 target_link_libraries(libration-bench-journal PRIVATE libration-studies libration-sweep)

@@ -2,8 +2,8 @@
 // Scientific Library, and how long that takes, for the benchmark `equations`. GSL is under the GPL: this is a program
 // of its own, which shares no code with the library and talks to it in text.
 //
-//   stdin    problem tolerance passes end count, then count starts: x, x', y, y', ...
-//   stdout   the CPU time of one pass in nanoseconds, then count values at the end, hexadecimal floats
+//   stdin    problem tolerance passes end count solutions, then the starts of each: count numbers x, x', y, y', ...
+//   stdout   the CPU time of one pass over all solutions in nanoseconds, then their values at the end, hexadecimal floats
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 
@@ -38,10 +38,11 @@ int main() {
     int passes = 0;
     double end = 0;
     std::size_t count = 0;
-    if (std::scanf("%31s %la %d %la %zu", name, &tolerance, &passes, &end, &count) != 5) {
+    std::size_t solutions = 0;
+    if (std::scanf("%31s %la %d %la %zu %zu", name, &tolerance, &passes, &end, &count, &solutions) != 6) {
         return 2;
     }
-    std::vector<double> start(count);
+    std::vector<double> start(count * solutions);
     for (double& each : start) {
         if (std::scanf("%la", &each) != 1) {
             return 2;
@@ -58,10 +59,12 @@ int main() {
     const double begin = cpu_nanoseconds();
     for (int pass = 0; pass < passes; ++pass) {
         x = start;
-        double t = 0;
-        gsl_odeiv2_driver_reset_hstart(driver, 1e-3);
-        if (gsl_odeiv2_driver_apply(driver, &t, end, x.data()) != GSL_SUCCESS) {
-            return 1;
+        for (std::size_t i = 0; i < solutions; ++i) {
+            double t = 0;
+            gsl_odeiv2_driver_reset_hstart(driver, 1e-3);
+            if (gsl_odeiv2_driver_apply(driver, &t, end, x.data() + i * count) != GSL_SUCCESS) {
+                return 1;
+            }
         }
     }
     std::printf("%.6f\n", (cpu_nanoseconds() - begin) / passes);
