@@ -474,6 +474,22 @@ module libration
             type(c_ptr), value :: context
             real(c_double), intent(out) :: values(*)
         end function
+        function libration_problem_varied_flow(problem, names, numbers, begin, solutions, starts, count, times, watch, &
+                context, values) bind(c)
+            import :: c_ptr, c_char, c_size_t, c_double, c_int, c_funptr
+            integer(c_int) :: libration_problem_varied_flow
+            type(c_ptr), value :: problem
+            character(kind=c_char), intent(in) :: names(*)
+            real(c_double), intent(in) :: numbers(*)
+            real(c_double), value :: begin
+            integer(c_size_t), value :: solutions
+            type(c_ptr), value :: starts
+            integer(c_size_t), value :: count
+            real(c_double), intent(in) :: times(*)
+            type(c_funptr), value :: watch
+            type(c_ptr), value :: context
+            real(c_double), intent(out) :: values(*)
+        end function
         function libration_problem_start(problem, time, values) bind(c)
             import :: c_ptr, c_double, c_int
             integer(c_int) :: libration_problem_start

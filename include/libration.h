@@ -210,10 +210,18 @@ void libration_problem_free(libration_problem *problem);
  * step, amplified by the equations; nothing is proved. `starts` has the state at time `begin`, in the order of the names,
  * of `solutions` solutions, row by row; NULL, with 1 solution, is the initial point of the problem itself. `values` gets
  * solutions x times x names numbers; nan at times that are not reached since the steps become too small, near a
- * singularity. ARGUMENT for nan and infinities, and for starts at a singular initial point. The callback is called after
- * each solution. */
+ * singularity. ARGUMENT for nan and infinities, and for starts at a singular initial point. Four or more solutions run in
+ * lock step in the lanes of SIMD vectors, with the same values; this thread alone is used, and several can share a problem.
+ * The callback is called after each solution, or some of them. */
 int libration_problem_flow(const libration_problem *problem, double begin, size_t solutions, const double *starts,
                            size_t count, const double *times, libration_watch watch, void *context, double *values);
+/* The same with a row of `numbers` for each solution, the values of the parameters and initial values `names`, "r, x(0)".
+ * `starts` NULL is the state at the initial point of the problem, which depends on them, and `begin` is not used then.
+ * ARGUMENT also for other names, for numbers that the equations require to be constant, such as an exponent, and for a
+ * singular initial point. */
+int libration_problem_varied_flow(const libration_problem *problem, const char *names, const double *numbers,
+                                  double begin, size_t solutions, const double *starts, size_t count,
+                                  const double *times, libration_watch watch, void *context, double *values);
 /* The initial time of a problem and the state there, the doubles next to them. */
 int libration_problem_start(const libration_problem *problem, double *time, double *values);
 /* The steps of one such solution from `begin` to `end`, which may be earlier: dense output. */

@@ -181,14 +181,22 @@ class Problem:
             raise _with_partial(problem, Table._of) from None
 
     def trajectory(
-        self, times: Any, starts: Any = None, begin: Any = None, threads: int | None = None
+        self,
+        times: Any,
+        starts: Any = None,
+        begin: Any = None,
+        threads: int | None = None,
+        parameters: Mapping[str, Any] | None = None,
     ) -> Trajectory:
         """The unknowns at an array of times in double precision, heuristic, from many starts in one call: an array with a
         row (in the order of `names`) for each, or a mapping {"x": array} with the others as in the problem, at the time
-        `begin`, by default that of the problem. Starts are shared among threads, all cores by default, without the
-        interpreter's lock. Doubles are data here, and accepted. A solution is nan where its steps become too small, near
-        a singularity. Raises ArgumentError for nan and infinities, and for starts at a singular initial point."""
-        return trajectory_of(self._problem, times, starts, begin, threads)
+        `begin`, by default that of the problem; and with many values of its parameters, {"r": array}, on which the other
+        starts depend as in the problem. Arrays of starts and parameters go together, one value of each for a solution;
+        single values are those of all solutions. Solutions run in lock step in the lanes of SIMD vectors, shared among
+        threads, all cores by default, without the interpreter's lock. Doubles are data here, and accepted. A solution is
+        nan where its steps become too small, near a singularity. Raises ArgumentError for nan and infinities, for starts
+        at a singular initial point, and for parameters that the equations require to be constant, such as exponents."""
+        return trajectory_of(self._problem, times, starts, begin, threads, parameters)
 
     def coefficients(
         self, order: int, scalar: str = "ball:50", at: Any = None, via: Any = None, first: int = 0

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
@@ -72,19 +72,61 @@ def starts_of(given: Any, names: list[str], own: np.ndarray) -> np.ndarray:
     return np.stack([np.atleast_1d(column).ravel() for column in columns], axis=1)
 
 
-def trajectory_of(problem: Any, times: Any, starts: Any, begin: Any, threads: int | None) -> Trajectory:
-    """The solutions of a compiled problem, those from many starts in threads without the interpreter's lock."""
+def numbers_of(
+    parameters: Mapping[str, Any], starts: Any, names: list[str], point: float, begin: Any
+) -> tuple[list[str], np.ndarray, np.ndarray | None]:
+    """The names of parameters and initial values with a row of values for each solution; and the starts as rows, if they
+    are given completely."""
+    given = dict(parameters)
+    rows = None
+    if begin is None and isinstance(starts, Mapping):
+        starts_of(starts, names, np.zeros(len(names)))  # checks the names
+        given.update({f"{name}({point:g})": values for name, values in starts.items()})
+    elif begin is not None or starts is not None:
+        if starts is None or (isinstance(starts, Mapping) and len(starts) < len(names)):
+            raise ValueError(f"at another time than that of the problem, with parameters, give all starts: {', '.join(names)}")
+        rows = starts_of(starts, names, np.zeros(len(names)))
+    alone = [np.empty(len(rows))] if rows is not None and len(rows) != 1 else []
+    columns = np.broadcast_arrays(*(np.asarray(values, dtype=float) for values in given.values()), *alone)
+    numbers = np.stack([np.atleast_1d(column).ravel() for column in columns[: len(given)]], axis=1)
+    return list(given), numbers, rows if rows is None else np.repeat(rows, len(numbers) // len(rows), axis=0)
+
+
+def trajectory_of(
+    problem: Any, times: Any, starts: Any, begin: Any, threads: int | None, parameters: Mapping[str, Any] | None
+) -> Trajectory:
+    """The solutions of a compiled problem, many of them in threads without the interpreter's lock."""
     names = problem.names()
     at = np.atleast_1d(np.asarray(times, dtype=float))
-    if starts is None:
+    if starts is None and not parameters:
         return Trajectory(names, at, problem.flow(0.0, None, at)[0])
     point, own = problem.start()
-    rows = starts_of(starts, names, own)
     time = float(point if begin is None else begin)
-    workers = min(threads or os.cpu_count() or 1, max(1, len(rows)))
-    parts = np.array_split(rows, workers)
-    if workers == 1:
-        return Trajectory(names, at, problem.flow(time, rows, at))
-    with ThreadPoolExecutor(workers) as pool:
-        values = list(pool.map(lambda part: problem.flow(time, part, at), parts))
-    return Trajectory(names, at, np.concatenate(values))
+    if parameters:
+        labels, numbers, given = numbers_of(parameters, starts, names, point, begin)
+
+        def flow(part: slice) -> np.ndarray:
+            return problem.varied_flow(",".join(labels), numbers[part], time, None if given is None else given[part], at)
+
+        count = len(numbers)
+    else:
+        rows = starts_of(starts, names, own)
+
+        def flow(part: slice) -> np.ndarray:
+            return problem.flow(time, rows[part], at)
+
+        count = len(rows)
+    return Trajectory(names, at, np.concatenate(_in_threads(flow, count, threads or os.cpu_count() or 1)))
+
+
+def _in_threads(flow: Callable[[slice], np.ndarray], count: int, threads: int) -> list[np.ndarray]:
+    """flow() of all solutions, in parts: more than there are threads, because some solutions take longer, and no smaller
+    than is worth preparing the equations again."""
+    smallest, parts_of_thread = 64, 8
+    parts = max(1, min(threads * parts_of_thread, count // smallest)) if threads > 1 else 1
+    ends = [count * i // parts for i in range(parts + 1)]
+    slices = [slice(a, b) for a, b in zip(ends, ends[1:])]
+    if parts == 1:
+        return [flow(slices[0])]
+    with ThreadPoolExecutor(min(threads, parts)) as pool:
+        return list(pool.map(flow, slices))

@@ -90,6 +90,27 @@ def test_trajectories_from_many_starts(threads):
     assert len(by_name.frame()) == 200
 
 
+@pytest.mark.parametrize("threads", [1, 3])
+def test_trajectories_with_many_parameters(threads):
+    p = lb.problem("x'' = -w^2*x; x(0) = 1/w; x'(0) = 0; w = 1")
+    w = np.linspace(1, 3, 300)
+    times = np.array([2.0, 0.0, -1.0])
+    found = p.trajectory(times, parameters={"w": w}, threads=threads)
+    assert found["x"].shape == (300, 3)
+    assert np.allclose(found["x"], np.cos(w[:, None] * times) / w[:, None], rtol=0, atol=CLOSE)
+    together = p.trajectory(times, starts={"x'": w**2}, parameters={"w": w}, threads=threads)
+    expected = (np.cos(w[:, None] * times) + w[:, None] ** 2 * np.sin(w[:, None] * times)) / w[:, None]
+    assert np.allclose(together["x"], expected, rtol=0, atol=10 * CLOSE)
+    later = p.trajectory([3.0], starts=[[1, 0]], begin=2, parameters={"w": w}, threads=threads)
+    assert np.allclose(later["x"][:, 0], np.cos(w), rtol=0, atol=CLOSE)
+    rows = p.trajectory([3.0], starts=np.stack([w, 0 * w], axis=1), parameters={"w": 2.0}, threads=threads)
+    assert np.allclose(rows["x"][:, 0], w * np.cos(6), rtol=0, atol=10 * CLOSE)
+    with pytest.raises(ValueError, match="all starts"):
+        p.trajectory([3.0], starts={"x": [1.0]}, begin=2, parameters={"w": w})
+    with pytest.raises(lb.ArgumentError, match="neither a parameter"):
+        p.trajectory([3.0], parameters={"v": w})
+
+
 def test_trajectories_that_end():
     found = lb.problem("y' = y^2; y(0) = 1").trajectory([0.5, 0.9, 3.0], starts={"y": [1.0, 0.25]})
     assert np.isnan(found["y"]).tolist() == [[False, False, True], [False, False, False]]

@@ -245,6 +245,53 @@ TEST_CASE("solutions in double are those of the tangent", "[c]") {
     CHECK(values[0] == 0.5);
 }
 
+TEST_CASE("solutions in double with many values of parameters", "[c]") {
+    constexpr double tolerance = 1000 * std::numeric_limits<double>::epsilon();
+    const auto growth = problem_of("x' = a*x; x(0) = 2*a; y' = x; y(0) = b; a = 1; b = 0");
+    const std::array<double, 6> numbers{1, 0, -1, 5, 0.5, 7};
+    const double time = 2;
+    std::array<double, 6> values{};
+    REQUIRE(libration_problem_varied_flow(growth.get(), "a, y(0)", numbers.data(), 0, 3, nullptr, 1, &time, nullptr,
+                                          nullptr, values.data()) == LIBRATION_OK);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double a = numbers[2 * i];
+        const double grown = std::exp(a * time);
+        CHECK(std::abs(values[2 * i] - 2 * a * grown) <= tolerance * grown);
+        CHECK(std::abs(values[2 * i + 1] - numbers[2 * i + 1] - 2 * (grown - 1)) <= tolerance * (1 + grown));
+    }
+    const std::array<double, 6> starts{1, 2, 3, 4, 5, 6};
+    REQUIRE(libration_problem_varied_flow(growth.get(), "b,a", numbers.data(), 2, 3, starts.data(), 1, &time, nullptr,
+                                          nullptr, values.data()) == LIBRATION_OK);
+    CHECK(values == starts);
+    CHECK(libration_problem_varied_flow(growth.get(), "c", numbers.data(), 0, 3, nullptr, 1, &time, nullptr, nullptr,
+                                        values.data()) == LIBRATION_ARGUMENT);
+    CHECK(libration_problem_varied_flow(growth.get(), "a", numbers.data(), 0, 0, nullptr, 0, nullptr, nullptr, nullptr,
+                                        nullptr) == LIBRATION_OK);
+}
+
+TEST_CASE("solutions in lock step are the same as alone", "[c]") {
+    const auto tangent = problem_of("x' = 1 + x^2; x(0) = 1/2");
+    std::vector<double> starts;
+    for (int i = 0; i < 50; ++i) {
+        starts.push_back(0.1 * i);
+    }
+    const std::array<double, 3> times{-0.5, 1, 0.25};
+    std::vector<double> together(starts.size() * times.size());
+    std::vector<double> alone(together.size());
+    REQUIRE(libration_problem_flow(tangent.get(), 0, starts.size(), starts.data(), 3, times.data(), nullptr, nullptr,
+                                   together.data()) == LIBRATION_OK);
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+        REQUIRE(libration_problem_flow(tangent.get(), 0, 1, &starts[i], 3, times.data(), nullptr, nullptr,
+                                       &alone[3 * i]) == LIBRATION_OK);
+    }
+    for (std::size_t i = 0; i < together.size(); ++i) {
+        CHECK((together[i] == alone[i] || (std::isnan(together[i]) && std::isnan(alone[i]))));
+    }
+    const auto stop = [](double, void*) { return 1; };
+    CHECK(libration_problem_flow(tangent.get(), 0, starts.size(), starts.data(), 3, times.data(), stop, nullptr,
+                                 together.data()) == LIBRATION_CANCELLED);
+}
+
 TEST_CASE("the steps of a solution in double are its polynomials", "[c]") {
     constexpr double tolerance = 1000 * std::numeric_limits<double>::epsilon();
     const auto spring = problem_of("x'' = -x; x(0) = 1; x'(0) = 0");

@@ -2,9 +2,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <span>
 
 #include "guarded.hpp"
+#include "libration/ode/batch/batch_march.hpp"
+#include "libration/ode/batch/varied_problem.hpp"
 #include "libration/ode/step.hpp"
 #include "libration/scalar/text/decimal.hpp"
 
@@ -45,16 +47,8 @@ bool is_finite(const state& values) {
     });
 }
 
-// The indices of times: those from `begin` on ascending, then the others descending.
-std::vector<std::size_t> in_order_of_steps(double begin, const double* times, std::size_t count) {
-    std::vector<std::size_t> order(count);
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
-        const bool forward = times[a] >= begin;
-        return forward != (times[b] >= begin) ? forward : forward ? times[a] < times[b] : times[a] > times[b];
-    });
-    return order;
-}
+// From so many solutions on, those in lock step take less time than one after the other, with the same values.
+constexpr std::size_t least_in_lock_step = 4;
 
 // Whether the integration reaches a time, with finite values there.
 bool reaches(march& of, double time, state& values) {
@@ -89,6 +83,25 @@ void write_solution(march& of, double begin, const double* times, const std::vec
         for (const auto& of_unknown : values) {
             to = std::ranges::copy(of_unknown, to).out;
         }
+    }
+}
+
+// The solutions from these states, row by row.
+void write_solutions(const ode::explicit_system& system, const ode::batch_request& of, std::size_t solutions,
+                     const watcher& watched, double* values) {
+    if (solutions >= least_in_lock_step) {
+        ode::batch_march together(system);
+        together.run(of, {values, solutions * of.times.size() * together.written()},
+                     [&](std::size_t finished) { watched(finished, solutions); });
+        return;
+    }
+    march alone(system);
+    const std::size_t size = solutions == 0 ? 0 : of.states.size() / solutions;
+    const auto order = ode::in_order_of_steps(of.begin, of.times);
+    for (std::size_t i = 0; i < solutions; ++i) {
+        alone.begin_at(of.begin, state_of(system, of.states.data() + i * size));
+        write_solution(alone, of.begin, of.times.data(), order, size, values + i * of.times.size() * size);
+        watched(i + 1, solutions);
     }
 }
 
@@ -164,21 +177,45 @@ int libration_problem_flow(const libration_problem* problem, double begin, size_
         if (solutions * count > 0) {
             given(values, "values");
         }
-        march of(problem->system);
         if (starts == nullptr) {
+            march of(problem->system);
             const double origin = origin_of(problem->system);
-            write_solution(of, origin, times, in_order_of_steps(origin, times, count), size, values);
+            write_solution(of, origin, times, ode::in_order_of_steps(origin, {times, count}), size, values);
             return;
         }
         require_regular(problem->system, begin);
         require_finite(starts, solutions * size, "starts");
-        const auto order = in_order_of_steps(begin, times, count);
-        const watcher watched(watch, context);
-        for (std::size_t i = 0; i < solutions; ++i) {
-            of.begin_at(begin, state_of(problem->system, starts + i * size));
-            write_solution(of, begin, times, order, size, values + i * count * size);
-            watched(i + 1, solutions);
+        write_solutions(problem->system, {begin, {starts, solutions * size}, {times, count}}, solutions,
+                        watcher(watch, context), values);
+    });
+}
+
+int libration_problem_varied_flow(const libration_problem* problem, const char* names, const double* numbers,
+                                  double begin, size_t solutions, const double* starts, size_t count,
+                                  const double* times, libration_watch watch, void* context, double* values) {
+    return guarded([&] {
+        const std::size_t size = given(problem, "problem").names.size();
+        const ode::varied_problem varied(problem->equations, items_of(text_of(names, "names"), "names"));
+        require_finite(begin, "begin");
+        require_finite(times, count, "times");
+        require_finite(numbers, solutions * varied.names(), "numbers");
+        require_finite(starts, starts == nullptr ? 0 : solutions * size, "starts");
+        if (solutions * count > 0) {
+            given(values, "values");
         }
+        std::vector<double> states;
+        for (std::size_t i = 0; i < solutions; ++i) {
+            const std::span row(numbers + i * varied.names(), varied.names());
+            if (starts == nullptr) {
+                varied.append_state(row, states);
+            } else {
+                varied.append_state(row, {starts + i * size, size}, states);
+            }
+        }
+        ode::batch_march together(varied.system(), varied.parameters());
+        const watcher watched(watch, context);
+        together.run({starts == nullptr ? origin_of(problem->system) : begin, states, {times, count}},
+                     {values, solutions * count * size}, [&](std::size_t finished) { watched(finished, solutions); });
     });
 }
 

@@ -43,6 +43,29 @@ doubles flow(const problem_object& of, double begin, const std::optional<doubles
     return values;
 }
 
+// The same with a row of values of these parameters and initial values for each solution.
+doubles varied_flow(const problem_object& of, const std::string& names, const doubles& numbers, double begin,
+                    const std::optional<doubles>& starts, const doubles& times) {
+    const auto size = static_cast<py::ssize_t>(libration_problem_size(of.handle.get()));
+    const bool fits =
+        !starts || (starts->ndim() == 2 && starts->shape(1) == size && starts->shape(0) == numbers.shape(0));
+    if (numbers.ndim() != 2 || !fits || times.ndim() != 1) {
+        throw py::value_error("numbers and starts have a row for each solution, times are one row");
+    }
+    doubles values({numbers.shape(0), times.shape(0), size});
+    const double* const given = numbers.data();
+    const double* const from = starts ? starts->data() : nullptr;
+    const double* const at = times.data();
+    double* const to = values.mutable_data();
+    const auto solutions = static_cast<std::size_t>(values.shape(0));
+    const auto count = static_cast<std::size_t>(times.shape(0));
+    run([&] {
+        return libration_problem_varied_flow(of.handle.get(), names.c_str(), given, begin, solutions, from, count, at,
+                                             watch_signals, nullptr, to);
+    });
+    return values;
+}
+
 // The initial time, and the state there.
 std::pair<double, doubles> start(const problem_object& of) {
     doubles values(static_cast<py::ssize_t>(libration_problem_size(of.handle.get())));
@@ -156,6 +179,7 @@ void define_problems(py::module_& m) {
                 });
     problem.def("start", start);
     problem.def("flow", flow);
+    problem.def("varied_flow", varied_flow);
     problem.def("steps", steps);
     problem.def("coefficients",
                 [](const problem_object& of, const std::optional<std::string>& point,
