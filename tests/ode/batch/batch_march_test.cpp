@@ -224,6 +224,27 @@ TEST_CASE("parameters in lanes are those in the text", "[ode][batch]") {
     }
 }
 
+TEST_CASE("parameters on either side of an operation, and functions of them alone", "[ode][batch]") {
+    const varied_problem varied(
+        parse("u' = k^2*(1 + u); v' = v/k - sqrt(k); w' = sin(k)*w; u(0) = 0; v(0) = 0; w(0) = 1; k = 1"), {"k"});
+    batch_march march(varied.system(), varied.parameters());
+    std::vector<double> states;
+    for (int i = 1; i <= 20; ++i) {
+        const std::array<double, 1> value{0.25 + 0.05 * i};
+        varied.append_state(value, states);
+    }
+    const auto values = run(march, 0, states, {1});
+    for (std::size_t i = 0; i < 20; ++i) {
+        const double k = 0.25 + 0.05 * static_cast<double>(i + 1);
+        const double* const found = values.data() + 3 * i;
+        // A few steps, and an error of k of one unit, which counts 1/k times.
+        CHECK(std::abs(found[0] - std::expm1(k * k)) <= 32 * epsilon_of_double * std::exp(k * k));
+        CHECK(std::abs(found[1] + k * std::sqrt(k) * std::expm1(1 / k)) <=
+              32 / k * epsilon_of_double * std::exp(1 / k));
+        CHECK(std::abs(found[2] - std::exp(std::sin(k))) <= 64 * epsilon_of_double);
+    }
+}
+
 TEST_CASE("initial values vary together with the parameters on which they depend", "[ode][batch]") {
     const auto problem = parse("y' = k*y; x' = y; y(0) = 2*k; x(0) = 1; k = 1");
     const varied_problem varied(problem, {"x(0)", "k"});
