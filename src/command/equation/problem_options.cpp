@@ -150,8 +150,7 @@ std::string trimmed(std::string_view text) {
 
 }  // namespace
 
-std::vector<family_member> problem_options::family() const {
-    constexpr std::size_t most_members = 1000;
+std::vector<family_member> problem_options::family(std::size_t most) const {
     std::vector<family_member> all{{{}, *this}};
     for (std::size_t i = 0; i < changes_.size(); ++i) {
         const std::string& change = changes_[i];
@@ -161,9 +160,8 @@ std::vector<family_member> problem_options::family() const {
         }
         const auto values = reading("--set", change, "write NAME=1/2,1,2 or NAME=a:b:count",
                                     [&] { return read_grid(change.substr(equals + 1)); });
-        if (all.size() * values.size() > most_members) {
-            throw input_error("--set", change, fmt::format("makes more than {} solutions", most_members),
-                              "write fewer values");
+        if (all.size() * values.size() > most) {
+            throw input_error("--set", change, fmt::format("makes more than {} solutions", most), "write fewer values");
         }
         const std::string name = trimmed(change.substr(0, equals));
         std::vector<family_member> more;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -77,8 +78,8 @@ public:
     /// The name of the problem for titles (problem_source::name). Throws input_error.
     std::string name() const { return problem_named(*problem_).name; }
     /// The combinations of the lists --set X=1,2 or X=a:b:n, the last list fastest; one problem without values if there
-    /// are no lists. Throws input_error.
-    std::vector<family_member> family() const;
+    /// are no lists. Throws input_error, also for more than `most`.
+    std::vector<family_member> family(std::size_t most = 1000) const;
 
 private:
     void warn_of_unused(const std::string& written) const;

@@ -11,6 +11,7 @@
 #include "equation/problem_options.hpp"
 #include "equation/problem_trajectory.hpp"
 #include "libration/problem/known/pendulum_solution.hpp"
+#include "motion/family_trajectory.hpp"
 #include "motion/motion_options.hpp"
 #include "motion/trajectory_points.hpp"
 #include "option/options.hpp"
@@ -182,21 +183,45 @@ partial_table trajectory_of_problem(const trajectory_options& options) {
     });
 }
 
+// Whether solutions of a problem are integrated in double, without a path or an approximation.
+bool is_integrated_in_double(const trajectory_options& options) {
+    return options.problem.is_chosen() && options.arithmetic.choose().scalar.kind == scalar_kind::binary64 &&
+           !options.via && !has_imaginary_unit(options.times) && options.method.value_or("taylor") == "taylor";
+}
+
+// The motion, or each member of a family of problems, those in double in lock step where that is possible.
+std::vector<partial_table> parts_of(const trajectory_options& options, const std::vector<family_member>& family) {
+    const auto alone = [&](const family_member& member) {
+        trajectory_options own = options;
+        own.problem = member.problem;
+        return own.problem.is_chosen() ? trajectory_of_problem(own) : trajectory_of_motion(own);
+    };
+    std::vector<partial_table> parts{alone(family.front())};  // which checks the options, and warns
+    std::vector<std::optional<partial_table>> together(family.size());
+    if (family.size() > 1 && is_integrated_in_double(options)) {
+        together = family_in_lock_step(family, times_of_problem(options.times), options.arithmetic.choose().digits,
+                                       jobs_of(options.jobs));
+    }
+    for (std::size_t i = 1; i < family.size(); ++i) {
+        parts.push_back(together[i] ? *std::move(together[i]) : alone(family[i]));
+    }
+    return parts;
+}
+
 // A motion, or the solutions of a problem, one or a family.
 int run_trajectory(const trajectory_options& options) {
+    constexpr std::size_t most_in_double = 100'000;
+    constexpr std::size_t most_otherwise = 1000;
     options.output.check();
     const auto figure = options.plot.file(options.output);
     const bool of_problem = options.problem.is_chosen();
-    const auto family = of_problem ? options.problem.family() : std::vector<family_member>(1);
+    const auto family = of_problem
+                            ? options.problem.family(is_integrated_in_double(options) ? most_in_double : most_otherwise)
+                            : std::vector<family_member>(1);
     if (figure && of_problem) {
         options.plot.require_known(columns_of_states(family.front().problem.choose()));
     }
-    std::vector<partial_table> parts;
-    for (const family_member& member : family) {
-        trajectory_options own = options;
-        own.problem = member.problem;
-        parts.push_back(of_problem ? trajectory_of_problem(own) : trajectory_of_motion(own));
-    }
+    const std::vector<partial_table> parts = parts_of(options, family);
     const partial_table found = parts.size() == 1 ? parts.front() : family_table(family, parts);
     if (found.has_output()) {
         if (figure) {
