@@ -78,6 +78,8 @@ TEST_CASE("a changed certificate is refused by the checker", "[command][referenc
 TEST_CASE("problems without a certificate are refused", "[command][reference][certificate]") {
     const temporary_folder folder;
     const words certified{"--digits", "5", "--certificate", "a.cert"};
+    check_refused({"reference", "--problem", "lorenz", "--time", "1000", "--certificate", "missing/a.cert"},
+                  {"--certificate 'missing/a.cert'", "does not exist"}, folder);
     check_refused(words{"reference", "--energy", "1", "--time", "1"} + certified, {"--certificate", "--problem"},
                   folder);
     check_refused(words{"reference", "--problem", "lorenz", "--until", "x = 0"} + certified, {"--until"}, folder);

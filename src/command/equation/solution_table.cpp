@@ -19,8 +19,19 @@ std::string undecided_text(const std::string& name, const answer_value& value) {
     return value.bound.empty() ? name + " is not reached" : fmt::format("|{}| < {}", name, value.bound);
 }
 
-std::string line_of(const std::string& name, const std::string& value) {
-    return value.empty() ? "" : fmt::format("{:<9} {}\n", name, value);
+constexpr std::size_t least_width = 9;  // of the names before the values
+
+std::string line_of(const std::string& name, const std::string& value, std::size_t width = least_width) {
+    return value.empty() ? "" : fmt::format("{:<{}} {}\n", name, width, value);
+}
+
+// The width of all names, so that their values stand below each other.
+std::size_t width_of(const std::vector<std::string>& names) {
+    std::size_t width = least_width;
+    for (const std::string& name : names) {
+        width = std::max(width, name.size());
+    }
+    return width;
 }
 
 std::string lines_of(const shared_cells::list& cells) {
@@ -73,10 +84,11 @@ std::string bounds_of(const answer& found, const std::vector<answer_value>& row)
 }
 
 std::string paragraph_of(const answer& found, const std::vector<answer_value>& row, const std::string& time) {
-    std::string text = line_of("time", time);
+    const std::size_t width = width_of(found.names);
+    std::string text = line_of("time", time, width);
     for (std::size_t i = 0; i < row.size(); ++i) {
         const std::string& name = found.names[i];
-        text += line_of(name, is_undecided(row[i]) ? undecided_text(name, row[i]) : row[i].text);
+        text += line_of(name, is_undecided(row[i]) ? undecided_text(name, row[i]) : row[i].text, width);
     }
     return text;
 }
@@ -137,11 +149,12 @@ partial_table states_table(const solution& of, const std::vector<exact>& times, 
 }
 
 std::string lines_of_states(const table& data) {
+    const std::size_t width = width_of(members_of(data.columns(), &column::name));
     std::string text;
     for (const auto& row : data.rows()) {
         text += text.empty() ? "" : "\n";
         for (std::size_t i = 0; i + 3 < row.size(); ++i) {
-            text += fmt::format("{:<10}{}\n", data.columns()[i].name, row[i].text());
+            text += fmt::format("{:<{}} {}\n", data.columns()[i].name, width, row[i].text());
         }
     }
     return text;

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "libration/scalar/text/decimal.hpp"
+#include "option/output_place.hpp"
 #include "run/grid.hpp"
 #include "text/input_error.hpp"
 #include "text/latex.hpp"
@@ -112,20 +113,8 @@ void output_options::check() const {
     if (std::find(formats_.begin(), formats_.end(), format_) == formats_.end()) {
         throw input_error("--format", format_, "is not a format", "write " + offered());
     }
-    if (!out_) {
-        return;
-    }
-    const std::filesystem::path target(*out_);
-    const auto folder = target.has_parent_path() ? target.parent_path() : std::filesystem::path(".");
-    std::error_code error;
-    if (target.filename().empty() || std::filesystem::is_directory(target, error)) {
-        throw input_error("--out", *out_, "is a folder", "name a file");
-    }
-    if (!std::filesystem::is_directory(folder, error)) {
-        throw input_error("--out", *out_, "is in a folder that does not exist", "make the folder first");
-    }
-    if (::access(folder.c_str(), W_OK) != 0) {
-        throw input_error("--out", *out_, "cannot be written", "choose a folder that you may write in");
+    if (out_) {
+        require_output_place("--out", *out_);
     }
 }
 

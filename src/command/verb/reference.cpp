@@ -18,6 +18,7 @@
 #include "motion/motion_cells.hpp"
 #include "motion/problem_events.hpp"
 #include "option/options.hpp"
+#include "option/output_place.hpp"
 #include "option/subcommand.hpp"
 #include "plot/plot_options.hpp"
 #include "plot/solution_plot.hpp"
@@ -304,6 +305,9 @@ std::vector<partial_table> answered(const std::vector<asked_solution>& asked, co
 
 int run_reference(const reference_options& options) {
     options.output.check();
+    if (options.certificate) {
+        require_output_place("--certificate", *options.certificate);
+    }
     const long digits = digits_of(options.digits);
     options.integrator.choice();
     if (!options.problem.is_chosen()) {
