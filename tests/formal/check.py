@@ -109,7 +109,7 @@ def hexadecimal(change):
 
 
 def reject_changes(work, path):
-    """One number changed: Coq must not accept the certificate's conditions."""
+    """One number changed: the conditions must not hold."""
     lines = zlib.decompress(path.read_bytes()).decode().split("\n")
     decimal = lambda x: x[:-1] + str((int(x[-1]) + 5) % 10)  # noqa: E731
     changes = {
