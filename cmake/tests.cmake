@@ -43,12 +43,10 @@ if(LIBRATION_BUILD_COMMAND)
     target_link_libraries(libration-tests PRIVATE libration-program libration-studies libration-claims libration-sweep)
     target_compile_definitions(libration-tests PRIVATE LIBRATION_COMMAND="$<TARGET_FILE:libration-command>")
     add_dependencies(libration-tests libration-command)
-    # The tables for C++ are compiled as by their users.
-    set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/command/table_test.cpp PROPERTIES
-        COMPILE_DEFINITIONS LIBRATION_COMPILER="${CMAKE_CXX_COMPILER}")
-    # Certificates are checked by a program of its own.
-    set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/command/certificate_test.cpp PROPERTIES
-        COMPILE_DEFINITIONS LIBRATION_CHECKER="${PROJECT_SOURCE_DIR}/check/libration_check.py")
+    # The tables for C++ are compiled as by their users, and certificates are checked by a program of its own.
+    target_compile_definitions(libration-tests PRIVATE
+        LIBRATION_COMPILER="${CMAKE_CXX_COMPILER}"
+        LIBRATION_CHECKER="${PROJECT_SOURCE_DIR}/check/libration_check.py")
 endif()
 catch_discover_tests(libration-tests PROPERTIES TIMEOUT 600)
 

@@ -25,7 +25,7 @@ namespace {
 std::vector<problem_list> problems_in(const std::vector<scalar_spec>& scalars, const pendulum_sweep& sweep) {
     std::vector<problem_list> all;
     for (const scalar_spec& scalar : scalars) {
-        const precision_scope scope(scalar.digits + guard_digits);
+        const precision_scope scope(scalar.digits + score_guard_digits);
         all.push_back(problems_of(sweep));
     }
     return all;
@@ -79,7 +79,7 @@ study_plan plan(const study_request& request) {
         orders_from(request, 0, ""),
         [all](std::size_t i, const std::vector<int>& orders) {
             const auto& [problem, half, scalar] = all->at(i);
-            const precision_scope scope(scalar.digits + guard_digits);
+            const precision_scope scope(scalar.digits + score_guard_digits);
             const auto answers = answers_of(problem, half, orders, scalar);
             return std::vector<table>{make_table(columns(), answers), make_table(score_columns(), answers)};
         });

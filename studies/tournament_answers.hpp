@@ -17,9 +17,9 @@ using namespace series;
 using namespace convergence;
 using namespace pendulum;
 
-inline constexpr long guard_digits = 30;
+inline constexpr long score_guard_digits = 30;
 inline constexpr long digits_of_errors = 6;
-inline constexpr long digits_of_scores = digits_of_errors + guard_digits;
+inline constexpr long digits_of_scores = digits_of_errors + score_guard_digits;
 
 // The problems in one precision.
 using problem_list = std::vector<known_series<mpfr>>;
@@ -148,7 +148,7 @@ inline std::vector<judged_answer> answers_of(const known_series<mpfr>& problem, 
         const coefficient_unit unit = unit_of(list);
         with_scalar(scalar, 0, [&]<class T>() {
             const auto estimates = estimates_of(in_unit_of<T>(list, unit), is_any_test);
-            const precision_scope judging(scalar.digits + guard_digits);
+            const precision_scope judging(scalar.digits + score_guard_digits);
             const mpfr length = narrow<mpfr>(unit.length);
             for (const auto& each : estimates) {
                 answers.push_back(judge(problem, half, order, scalar, in_unit(widened(each), length)));

@@ -13,23 +13,40 @@
 
 namespace libration::tests {
 
-/// A scalar under test: the type, and for mpfr the decimal digits its scope is opened with.
-template <class T, long Digits = 0>
+/// A scalar under test: the type, and its working precision.
+template <class T>
 struct scalar_tag {
     using type = T;
     /// `const typename TestType::precision precision;` at the top of a test sets the working precision.
     struct precision {
-        precision() {
-            if constexpr (Digits > 0) {
-                scope.emplace(Digits);
-            }
-        }
-        std::optional<precision_scope> scope;
+        precision() {}  // NOLINT(modernize-use-equals-default): not trivial, so that no variable is reported as unused
     };
 };
 
-using all_scalars = std::tuple<scalar_tag<double>, scalar_tag<long double>, scalar_tag<quad>, scalar_tag<mpfr, 40>,
-                               scalar_tag<mpfr, 100>>;
+/// Catch runs the test at 40 digits and again at 100, so that its body is compiled only once. Another object in the scope
+/// of the first sets the same precision.
+template <>
+struct scalar_tag<mpfr> {
+    using type = mpfr;
+    class precision {
+    public:
+        precision() : first_(digits_ == 0), scope_(first_ ? digits_ = GENERATE(40L, 100L) : digits_) {}
+        precision(const precision&) = delete;
+        precision& operator=(const precision&) = delete;
+        ~precision() {
+            if (first_) {
+                digits_ = 0;
+            }
+        }
+
+    private:
+        static inline long digits_ = 0;  // of the test that runs
+        bool first_;
+        precision_scope scope_;
+    };
+};
+
+using all_scalars = std::tuple<scalar_tag<double>, scalar_tag<long double>, scalar_tag<quad>, scalar_tag<mpfr>>;
 
 /// The fraction that an mpfr is.
 inline rational fraction_of(const mpfr& x) {

@@ -13,6 +13,7 @@ namespace resummations_study {
 
 using namespace series;
 using namespace pendulum;
+using pendulum::approximation;
 
 namespace {
 
@@ -84,7 +85,7 @@ resummation_row row_of(const sweep_energy& at, approximation a, int count, const
             norm,
             mpfr(place * bounds.effective_period),
             two_method,
-            proved_norm(a, size, bounds),
+            pendulum::proved_norm(a, size, bounds),
             convergence_rate(a, bounds)};
 }
 

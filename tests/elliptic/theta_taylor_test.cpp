@@ -16,7 +16,7 @@ using namespace libration::tests;
 
 namespace {
 
-using long_scalars = std::tuple<scalar_tag<mpfr, 40>, scalar_tag<mpfr, 100>>;
+using long_scalars = std::tuple<scalar_tag<mpfr>>;
 
 const std::vector<theta_kind> kinds{first_theta, second_theta, third_theta, fourth_theta};
 

@@ -10,7 +10,7 @@ namespace libration {
 
 namespace {
 
-constexpr const char* moduli = "1e-30,1e-20,1e-10,1e-6,1e-3,0.01,0.1,0.19,0.36,0.5,0.64,0.75,0.9,0.99,0.999999";
+constexpr const char* table_moduli = "1e-30,1e-20,1e-10,1e-6,1e-3,0.01,0.1,0.19,0.36,0.5,0.64,0.75,0.9,0.99,0.999999";
 
 // The command that makes one file of a table.
 std::string command_for(const reference_table& each, const std::string& format) {
@@ -49,11 +49,14 @@ const std::vector<reference_table>& reference_set() {
           {{"--theta0", "0.5,1,2,2.5,3,-10"}, {"--omega0", "-0.3,1.2,2.5"}, {"--times", "1,1000,1e20"}}}},
         {"jacobi_functions",
          "Jacobi's am, sn, cn and dn, with the complementary parameter m1 = 1 - m down to 1e-30.",
-         {table_subject_named("am,sn,cn,dn"), {{"--u", "0.1,0.5,1,1.5,2,5,10,40,1000"}, {"--m1", moduli}}}},
-        {"complete_integral", "The complete elliptic integral K.", {table_subject_named("K"), {{"--m1", moduli}}}},
+         {table_subject_named("am,sn,cn,dn"), {{"--u", "0.1,0.5,1,1.5,2,5,10,40,1000"}, {"--m1", table_moduli}}}},
+        {"complete_integral",
+         "The complete elliptic integral K.",
+         {table_subject_named("K"), {{"--m1", table_moduli}}}},
         {"incomplete_integral",
          "The incomplete elliptic integral F.",
-         {table_subject_named("F"), {{"--phi", "1deg,30deg,45deg,60deg,89deg,90deg,1,1.5,2,10"}, {"--m1", moduli}}}}};
+         {table_subject_named("F"),
+          {{"--phi", "1deg,30deg,45deg,60deg,89deg,90deg,1,1.5,2,10"}, {"--m1", table_moduli}}}}};
     return set;
 }
 
