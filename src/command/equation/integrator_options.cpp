@@ -27,6 +27,7 @@ const char* name_of(ode::step_method method) {
     switch (method) {
         case ode::step_method::taylor: return "taylor";
         case ode::step_method::collocation: return "collocation";
+        case ode::step_method::exponential: return "exponential";
     }
     return "";
 }
