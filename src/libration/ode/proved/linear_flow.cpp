@@ -5,6 +5,7 @@
 #include "libration/ode/constant_value.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/ball/traits.hpp"
+#include "libration/scalar/error.hpp"
 
 #if __has_include(<flint/arb_mat.h>)
 #include <flint/arb_mat.h>
@@ -22,6 +23,17 @@ constexpr long most_times_bits = 16;
 
 std::optional<number> constant_of(const expression& e) {
     return e.kind() == node_kind::constant ? std::optional(e.constant()) : std::nullopt;
+}
+
+// The value where all unknowns are 0; std::nullopt also if division by 0 leaves none.
+std::optional<number> value_at_zero(const expression& e) {
+    try {
+        return constant_of(replaced(e, [](const expression& leaf) {
+            return leaf.kind() == node_kind::unknown ? std::optional(expression(0)) : std::nullopt;
+        }));
+    } catch (const error&) {
+        return std::nullopt;
+    }
 }
 
 bool is_zero(const number& x) { return x.fraction() == rational(0); }
@@ -60,9 +72,6 @@ bool linear_flow::read(const explicit_system& system) {
             starts_.push_back(system.starts()[i][static_cast<std::size_t>(j)]);
         }
     }
-    const auto at_zero = [](const expression& leaf) {
-        return leaf.kind() == node_kind::unknown ? std::optional(expression(0)) : std::nullopt;
-    };
     for (std::size_t i = 0; i < system.unknowns().size(); ++i) {
         for (int j = 1; j < system.unknowns()[i].order; ++j) {
             auto& row = rows_.emplace_back(leaves.size(), number(rational(0)));
@@ -70,11 +79,6 @@ bool linear_flow::read(const explicit_system& system) {
             constants_.emplace_back(rational(0));
         }
         auto& row = rows_.emplace_back();
-        const auto rest = constant_of(replaced(system.right()[i], at_zero));
-        if (!rest) {
-            return false;
-        }
-        constants_.push_back(*rest);
         for (const expression& leaf : leaves) {
             const auto entry = constant_of(partial(system.right()[i], leaf));
             if (!entry) {
@@ -82,6 +86,11 @@ bool linear_flow::read(const explicit_system& system) {
             }
             row.push_back(*entry);
         }
+        const auto rest = value_at_zero(system.right()[i]);
+        if (!rest) {
+            return false;
+        }
+        constants_.push_back(*rest);
     }
     return true;
 }
