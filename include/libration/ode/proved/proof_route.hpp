@@ -13,8 +13,6 @@ namespace libration::ode {
 struct proof_route {
     /// Added to the order of each Taylor polynomial, >= 0.
     int more_terms = 0;
-    /// Whether linear systems with constant coefficients are solved by the exponential of their matrix.
-    bool matrix_exponential = true;
     /// The length of each step in eighths of the one that the integrator chooses, 1 .. 8.
     unsigned long step_eighths = 8;
     /// The product of long series; null: term by term, quotients by their recurrence.
@@ -22,9 +20,11 @@ struct proof_route {
     integrator_choice integrator = integrator_choice::automatic;
     /// Called for each disc of a path in the complex plane.
     plane_watch watch = {};
+    /// Whether linear systems with constant coefficients are solved by the exponential of their matrix.
+    bool matrix_exponential = true;
 
     /// The route of --check: five more terms, steps of seven eighths, series term by term, no matrix exponential.
-    static proof_route second() { return {5, false, 7, nullptr}; }
+    static proof_route second() { return {5, 7, nullptr, integrator_choice::automatic, {}, false}; }
 
     /// That fraction of a length, rounded; the length itself if it is not shortened.
     magnitude shortened(const magnitude& length) const {
