@@ -63,6 +63,18 @@ TEST_CASE("an unknown that is 0 without a reason in balls is left to other integ
     CHECK(!flow->at(number(rational(1)), bits));
 }
 
+TEST_CASE("oscillations have values at any time, and growth as long as its size can be printed", "[ode][proved]") {
+    const precision_scope scope(80);
+    const number far = parse_constant("1e30").constant();
+    const auto oscillation = linear_flow::of(system_of("y'' = -y; y(0) = 1; y'(0) = 0"))->at(far, bits);
+    REQUIRE(oscillation);
+    const precision_scope more(160);
+    CHECK(encloses((*oscillation)[0], cos(constant_value<ball>::of(far))));
+    const auto growth = linear_flow::of(system_of("y' = y; y(0) = 1"));
+    CHECK(growth->at(parse_constant("1e6").constant(), bits));
+    CHECK(!growth->at(far, bits));
+}
+
 TEST_CASE("both routes agree on linear problems of the DETEST sets", "[ode][proved]") {
     for (const char* name : {"detest_c1", "stiff_b5"}) {
         CAPTURE(name);

@@ -19,8 +19,8 @@ public:
     static std::optional<linear_flow> of(const explicit_system& system);
 
     /// The state at a time; each unknown is an exact 0 or has about as many bits, relative to itself. std::nullopt if
-    /// that requires many times the precision, as for an unknown that decays to nothing while others do not, or one
-    /// that is 0 for a reason that balls do not show.
+    /// that requires many times the precision, as for an unknown that decays to nothing while others do not, one
+    /// that is 0 for a reason that balls do not show, or if a value is beyond 2^(2^30).
     std::optional<std::vector<ball>> at(const number& time, long bits) const;
 
 private:

@@ -18,6 +18,8 @@ namespace libration::ode {
 namespace {
 
 constexpr long guard_bits = 32;
+// The largest |log2| of a value, far inside the range of every printed number.
+constexpr long most_exponent = 1L << 30;
 // The largest precision in multiples of that of the state.
 constexpr long most_times_bits = 16;
 
@@ -37,6 +39,14 @@ std::optional<number> value_at_zero(const expression& e) {
 }
 
 bool is_zero(const number& x) { return x.fraction() == rational(0); }
+
+// An exact 0, or a number of usual size with so many bits.
+bool is_precise(const ball& x, long bits) {
+    const auto* middle = arb_midref(x.handle());
+    return arb_is_zero(x.handle()) != 0 ||
+           (arb_rel_accuracy_bits(x.handle()) >= bits && arf_cmpabs_2exp_si(middle, most_exponent) < 0 &&
+            arf_cmpabs_2exp_si(middle, -most_exponent) > 0);
+}
 
 // A matrix of balls, freed at the end.
 class arb_matrix {
@@ -130,9 +140,7 @@ std::vector<ball> linear_flow::rounded_state(const number& time, long bits) cons
 std::optional<std::vector<ball>> linear_flow::at(const number& time, long bits) const {
     for (long precision = bits + guard_bits; precision <= most_times_bits * (bits + guard_bits); precision *= 2) {
         std::vector<ball> state = rounded_state(time, precision);
-        const bool precise = std::ranges::all_of(state, [&](const ball& each) {
-            return arb_is_zero(each.handle()) != 0 || arb_rel_accuracy_bits(each.handle()) >= bits;
-        });
+        const bool precise = std::ranges::all_of(state, [&](const ball& each) { return is_precise(each, bits); });
         if (precise) {
             return state;
         }
