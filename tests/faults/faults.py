@@ -562,6 +562,15 @@ FAULTS = [
         ("any event taken for one before the end", "if (arb_is_nonnegative(rest.handle()) != 0) {", "if (true) {"),
     ),
     *in_file(
+        "src/libration/ode/proved/linear_flow.cpp", ["ode/proved/linear_flow_test.cpp"],
+        ("the initial time of a linear system taken for 0", "constant_value<ball>::of(time - point_)",
+         "constant_value<ball>::of(time)"),
+        ("the constants of a linear system forgotten", "constant_value<ball>::of(constants_[i]).handle()", "ball(0).handle()"),
+        ("coefficients that are not constant taken for 0",
+         "e.kind() == node_kind::constant ? std::optional(e.constant()) : std::nullopt",
+         "std::optional(e.kind() == node_kind::constant ? e.constant() : number(rational(0)))"),
+    ),
+    *in_file(
         "src/libration/ode/rigorous/growth.cpp", ["ode/proved/stiff_test.cpp"],
         ("affine growth checked at one end", "for (const auto* at_end : {&radii.first, &radii.last}) {",
          "for (const auto* at_end : {&radii.first}) {"),

@@ -7,19 +7,21 @@ namespace libration::ode {
 
 /// The integrator of the steps to a time.
 enum class integrator_choice {
-    automatic,   ///< collocation if the steps of Taylor series are much shorter than the scale of the solution
+    automatic,   ///< the exponential of the matrix for linear systems with constant coefficients; else collocation
+                 ///< if the steps of Taylor series are much shorter than the scale of the solution
     taylor,      ///< Taylor series alone (theorem V)
     collocation  ///< collocation (theorem K) from the start on; Taylor series where no step of it is proved
 };
 
-enum class step_method { taylor, collocation };
+/// `exponential`: of the matrix of a linear system with constant coefficients, one step to each time.
+enum class step_method { taylor, collocation, exponential };
 
 /// One step of a proof, as doubles: infinite where the range of double ends. No proof depends on them.
 struct step_report {
     double time;    ///< at the beginning of the step
     double length;  ///< with the sign of the direction; the last step may extend beyond the last time
     long bits;      ///< working precision
-    int order;      ///< degree of the polynomials
+    int order;      ///< degree of the polynomials; 0 for an exponential
     step_method method;
     /// log2 of the largest radius of the enclosure of an unknown at the beginning, relative to its midpoint: infinite
     /// if a midpoint is 0, -infinity if the enclosure is exact.

@@ -7,9 +7,11 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <mutex>
 #include <utility>
 
 #include "libration/scalar/text/near_word.hpp"
+#include "run/ending_signal.hpp"
 
 namespace libration {
 
@@ -27,6 +29,7 @@ const char* name_of(ode::step_method method) {
     switch (method) {
         case ode::step_method::taylor: return "taylor";
         case ode::step_method::collocation: return "collocation";
+        case ode::step_method::exponential: return "exponential";
     }
     return "";
 }
@@ -75,12 +78,18 @@ void integrator_options::state(const std::vector<ode::collocation_use>& used) co
 struct step_trace::parts {
     std::string path, written;
     std::FILE* file = nullptr;
+    std::mutex mutex;
+    std::optional<at_ending_signal> at_end;  ///< destroyed first, without the lock
 
     [[noreturn]] void fail() const {
         throw input_error("--trace", path, fmt::format("cannot be written ({})", std::strerror(errno)), trace_remedy);
     }
 
     void close() {
+        const std::lock_guard lock(mutex);
+        if (file == nullptr) {
+            return;
+        }
         const bool flushed = std::fclose(std::exchange(file, nullptr)) == 0;
         std::error_code error;
         if (flushed && written != path) {
@@ -104,6 +113,13 @@ step_trace::step_trace(const std::string& path) : parts_(std::make_unique<parts>
         parts_->fail();
     }
     fmt::print(parts_->file, "time,bits,order,length,method,log2_relative_width\n");
+    parts_->at_end.emplace([all = parts_.get()] {
+        try {
+            all->close();
+        } catch (const std::exception& problem) {
+            fmt::print(stderr, "libration: {}\n", problem.what());
+        }
+    });
 }
 
 step_trace::~step_trace() {
@@ -115,14 +131,14 @@ step_trace::~step_trace() {
 }
 
 void step_trace::add(const ode::step_report& step) {
+    const std::lock_guard lock(parts_->mutex);
+    if (parts_->file == nullptr) {
+        return;  // the process ends
+    }
     fmt::print(parts_->file, "{},{},{},{:.6g},{},{:.2f}\n", step.time, step.bits, step.order, step.length,
                name_of(step.method), step.log2_of_width);
 }
 
-void step_trace::finish() {
-    if (parts_->file != nullptr) {
-        parts_->close();
-    }
-}
+void step_trace::finish() { parts_->close(); }
 
 }  // namespace libration

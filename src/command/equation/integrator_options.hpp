@@ -43,7 +43,7 @@ private:
 };
 
 /// The file of --trace: one line of CSV per step, written beside it and renamed at the end, also if an exception ends
-/// the integration.
+/// the integration, or --timeout or a signal ends the process within a step.
 class step_trace {
 public:
     /// Throws input_error if the file cannot be written.

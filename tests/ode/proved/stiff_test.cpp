@@ -148,6 +148,25 @@ TEST_CASE("affine radii have to grow fast enough at both ends", "[ode][proved]")
     CHECK(satisfies(system, *found, 1));
 }
 
+// s = t/mu, mu = 100: x'' = mu (1 - x^2) x' - x becomes d^2x/ds^2 = mu^2 ((1 - x^2) dx/ds - x).
+TEST_CASE("a relaxation oscillation is followed over several jumps in both scalings of time", "[ode][proved]") {
+    const precision_scope scope(80);
+    const explicit_system by_s = system_of("y' = z; z' = 1e4*((1 - y^2)*z - y); y(0) = 2; z(0) = -0.66");
+    const explicit_system by_t = system_of("x'' = 100*(1 - x^2)*x' - x; x(0) = 2; x'(0) = -0.0066");
+    proved_march first(by_s, 150);
+    proved_march second(by_t, 180);
+    const auto a = first.at(number(rational(4)));
+    const auto b = second.at(number(rational(400)));
+    REQUIRE(a);
+    REQUIRE(b);
+    CHECK(contains_zero((*a)[0] - (*b)[0]));
+    CHECK(encloses((*a)[0], (*b)[0], 25));
+    CHECK(contains_zero((*a)[1] - (*b)[1] * 100L));
+    // Collocation begins again soon after each jump.
+    CHECK(first.collocation().periods >= 4);
+    CHECK(first.steps() < 3'000);
+}
+
 // The tube around the solution of a neighbouring equation: its defect has a constant sign, so that the radii cannot be
 // smaller than the distance of both solutions. The curves x = (1 + e) t and y = e/1024 solve the equations with e added
 // to both; at t = 1 they are e and e/1024 away from x = t and y = 0, by growth and by the balance of defect and decay.

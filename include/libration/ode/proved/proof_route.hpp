@@ -20,9 +20,11 @@ struct proof_route {
     integrator_choice integrator = integrator_choice::automatic;
     /// Called for each disc of a path in the complex plane.
     plane_watch watch = {};
+    /// Whether linear systems with constant coefficients are solved by the exponential of their matrix.
+    bool matrix_exponential = true;
 
-    /// The route of --check: five more terms, steps of seven eighths, series term by term.
-    static proof_route second() { return {5, 7, nullptr}; }
+    /// The route of --check: five more terms, steps of seven eighths, series term by term, no matrix exponential.
+    static proof_route second() { return {5, 7, nullptr, integrator_choice::automatic, {}, false}; }
 
     /// That fraction of a length, rounded; the length itself if it is not shortened.
     magnitude shortened(const magnitude& length) const {

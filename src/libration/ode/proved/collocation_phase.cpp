@@ -27,7 +27,7 @@ unsigned long steps_worth_preparation(long bits) {
 }  // namespace
 
 collocation_phase::collocation_phase(const lifted_system& of, long bits, const proof_route& route)
-    : system_(of), bits_(bits), route_(route), between_checks_(steps_without_fast_modes * cost_of_step()) {
+    : system_(of), bits_(bits), route_(route), between_checks_(first_interval()) {
     if (route.integrator == integrator_choice::automatic) {
         next_check_ = between_checks_;
     }
@@ -38,6 +38,8 @@ long collocation_phase::cost_of_step() const {
     const long bits = std::max(200L, bits_);
     return at_200_bits * bits * bits / (200 * 200);
 }
+
+long collocation_phase::first_interval() const { return steps_without_fast_modes * cost_of_step(); }
 
 std::string collocation_phase::obstacle() const {
     const std::size_t count = system_.leaves.size();
@@ -98,6 +100,9 @@ bool collocation_phase::step(long steps) {
     integrator_->step();
     ++steps_of_phase_;
     reach(as_double(integrator_->reached()));
+    if (pays) {
+        between_checks_ = first_interval();
+    }
     next_check_ = steps + between_checks_;
     if (route_.integrator == integrator_choice::collocation) {
         return true;

@@ -43,6 +43,9 @@ public:
     const collocation_use& all() const { return use_; }
 
 private:
+    // The number of steps up to the first check, and up to the next one after a period that was worth its cost.
+    long first_interval() const;
+
     const lifted_system& system_;
     long bits_;
     proof_route route_;

@@ -5,12 +5,14 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "libration/ode/proved/constant_solution.hpp"
+#include "libration/ode/proved/linear_flow.hpp"
 #include "libration/ode/proved/proved_trajectory.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/text/printed_number.hpp"
@@ -103,6 +105,9 @@ public:
           error_bits_(further_.error_bits),
           order_(in_order(system, times)),
           constant_(!further_.answered && is_constant(system)),
+          linear_(!further_.answered && route.matrix_exponential && route.integrator == integrator_choice::automatic
+                      ? linear_flow::of(system)
+                      : std::nullopt),
           done_(times.size()),
           bits_(digits) {
         part_.states.resize(times.size());
@@ -137,7 +142,8 @@ private:
             if (done_[each.index] || ended_[each.forward ? 1 : 0]) {
                 continue;
             }
-            if (!march || each.forward != forward) {
+            auto state = state_in_closed_form(each.index);
+            if (!state && (!march || each.forward != forward)) {
                 forward = each.forward;
                 march.emplace(system_, bits_.now(), watch_, error_bits_, route_);
                 march->observe(observer_);
@@ -145,9 +151,10 @@ private:
                     march->keep_derivative();
                 }
             }
-            const auto state = constant_ ? enclosed_start(system_, bits_.now())
-                                         : state_at(*march, system_, times_[each.index], bits_.now());
-            collocation_[forward ? 1 : 0] = march->collocation();
+            if (!state) {
+                state = state_at(*march, system_, times_[each.index], bits_.now());
+                collocation_[forward ? 1 : 0] = march->collocation();
+            }
             if (!state) {
                 if (ends(*march, each)) {
                     continue;
@@ -171,6 +178,28 @@ private:
             done_[each.index] = true;
         }
         return !at_zero || given_up(*at_zero);
+    }
+
+    // Without steps: the initial values of a constant solution, and the exponential of the matrix of a linear system; no
+    // longer if that lacks digits.
+    std::optional<std::vector<ball>> state_in_closed_form(std::size_t index) {
+        if (constant_) {
+            return enclosed_start(system_, bits_.now());
+        }
+        if (!linear_) {
+            return std::nullopt;
+        }
+        auto state = linear_->at(times_[index], bits_.now());
+        if (!state) {
+            linear_.reset();
+        } else if (observer_) {
+            const precision_scope scope(20);
+            const ball start = constant_value<ball>::of(system_.point());
+            observer_({midpoint_of(start).convert_to<double>(),
+                       midpoint_of(constant_value<ball>::of(times_[index]) - start).convert_to<double>(), bits_.now(),
+                       0, step_method::exponential, -std::numeric_limits<double>::infinity()});
+        }
+        return state;
     }
 
     // Whether an integration without a state ended for another reason than too few bits: then no run gets further.
@@ -268,6 +297,7 @@ private:
     long error_bits_;
     std::vector<asked_time> order_;
     bool constant_;  ///< the solution is constant, and nothing else is requested
+    std::optional<linear_flow> linear_;
     std::vector<bool> done_;
     std::array<bool, 2> ended_{};                   ///< backwards and forwards
     std::array<collocation_use, 2> collocation_{};  ///< of the last runs
