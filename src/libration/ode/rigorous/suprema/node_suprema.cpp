@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "dense_matrix.hpp"
+#include "../dense_matrix.hpp"
 #include "libration/ode/ball/step_pieces.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "step_suprema.hpp"
