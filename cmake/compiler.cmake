@@ -31,8 +31,8 @@ if(NOT CMAKE_UNITY_BUILD_BATCH_SIZE)
     set(CMAKE_UNITY_BUILD_BATCH_SIZE 25)
 endif()
 
-# GCC collects garbage when its heap has doubled from 128 MB on: a twentieth of the compile time of a batch. From 512 MB on,
-# and when it has tripled, it needs a fifth more memory, 1.4 GB for the largest batches.
+# GCC collects garbage when its heap has doubled, from 128 MB on. Later collections save about a twentieth of the compile
+# time of a batch and need about a fifth more memory.
 if(PROJECT_IS_TOP_LEVEL AND CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     add_compile_options(--param=ggc-min-heapsize=524288 --param=ggc-min-expand=200)
 endif()
