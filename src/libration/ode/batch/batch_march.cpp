@@ -23,50 +23,6 @@ namespace {
 
 constexpr long rounds_between_calls = 1L << 12;
 
-// taylor_step in double, which is computed once for the same exponents: they are integers that change little.
-class step_lengths {
-public:
-    struct length {
-        double value = 0;
-        bool unlimited = false;
-    };
-
-    explicit step_lengths(const step_accuracy& accuracy) : accuracy_(accuracy) {}
-
-    // From the largest coefficients of the two last degrees.
-    length of(long size, double last_but_one, double last) {
-        const long a = exponent_in(size, last_but_one);
-        const long b = exponent_in(size, last);
-        entry& known = entries_[(31 * static_cast<std::size_t>(a) + static_cast<std::size_t>(b)) % entries_.size()];
-        if (!known.used || known.a != a || known.b != b) {
-            known = {true, a, b, computed(a, b)};
-        }
-        return known.result;
-    }
-
-private:
-    struct entry {
-        bool used = false;
-        long a = 0;
-        long b = 0;
-        length result;
-    };
-
-    static long exponent_in(long size, double x) {
-        const long exponent = binary_exponent(x);
-        return exponent == exponent_of_zero ? exponent : exponent - size;
-    }
-
-    length computed(long last_but_one, long last) const {
-        const std::vector<coefficient_size> sizes{{accuracy_.order - 1, last_but_one}, {accuracy_.order, last}};
-        const step_length h = accuracy_.bits == 0 ? taylor_step(0, sizes) : taylor_step(0, sizes, accuracy_);
-        return {std::ldexp(static_cast<double>(h.mantissa), static_cast<int>(h.exponent)), h.mantissa == 0};
-    }
-
-    step_accuracy accuracy_;
-    std::array<entry, 256> entries_;
-};
-
 }  // namespace
 
 // One run: what each lane is doing.
@@ -105,6 +61,50 @@ public:
     }
 
 private:
+    // taylor_step in double, which is computed once for the same exponents: they are integers that change little.
+    class step_lengths {
+    public:
+        struct length {
+            double value = 0;
+            bool unlimited = false;
+        };
+
+        explicit step_lengths(const step_accuracy& accuracy) : accuracy_(accuracy) {}
+
+        // From the largest coefficients of the two last degrees.
+        length of(long size, double last_but_one, double last) {
+            const long a = exponent_in(size, last_but_one);
+            const long b = exponent_in(size, last);
+            entry& known = entries_[(31 * static_cast<std::size_t>(a) + static_cast<std::size_t>(b)) % entries_.size()];
+            if (!known.used || known.a != a || known.b != b) {
+                known = {true, a, b, computed(a, b)};
+            }
+            return known.result;
+        }
+
+    private:
+        struct entry {
+            bool used = false;
+            long a = 0;
+            long b = 0;
+            length result;
+        };
+
+        static long exponent_in(long size, double x) {
+            const long exponent = binary_exponent(x);
+            return exponent == exponent_of_zero ? exponent : exponent - size;
+        }
+
+        length computed(long last_but_one, long last) const {
+            const std::vector<coefficient_size> sizes{{accuracy_.order - 1, last_but_one}, {accuracy_.order, last}};
+            const step_length h = accuracy_.bits == 0 ? taylor_step(0, sizes) : taylor_step(0, sizes, accuracy_);
+            return {std::ldexp(static_cast<double>(h.mantissa), static_cast<int>(h.exponent)), h.mantissa == 0};
+        }
+
+        step_accuracy accuracy_;
+        std::array<entry, 256> entries_;
+    };
+
     // A solution on its way through the times in order_.
     struct traveller {
         bool active = false;
