@@ -581,12 +581,12 @@ FAULTS = [
          "old(i, j) = ball(0);"),
     ),
     *in_file(
-        "src/libration/ode/rigorous/suprema/coefficient_suprema.cpp", ["ode/proved/stiff_test.cpp"],
+        "src/libration/ode/rigorous/coefficient_suprema.cpp", ["ode/proved/stiff_test.cpp"],
         ("half of the defect of a curve", "result.defect.push_back(forms_.supremum(sum));",
          "result.defect.push_back(forms_.supremum(sum).shifted(-1));"),
     ),
     *in_file(
-        "src/libration/ode/rigorous/suprema/node_suprema.cpp", ["ode/proved/step_suprema_test.cpp"],
+        "src/libration/ode/rigorous/node_suprema.cpp", ["ode/proved/step_suprema_test.cpp"],
         ("values at nodes taken for a supremum", "each *= at.factor(degree);", "each *= at.factor(0 * degree);"),
         ("the rate at midpoints taken for its maximum",
          "upper_bound(widened(value, reach / static_cast<unsigned long>(values_.size())))", "upper_bound(value)"),

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "libration/ode/parse.hpp"
-#include "libration/ode/rigorous/dense_matrix.hpp"
+#include "libration/ode/rigorous/matrix/dense_matrix.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "proved.hpp"

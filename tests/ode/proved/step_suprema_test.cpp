@@ -4,7 +4,7 @@
 
 #include "libration/ode/explicit_system.hpp"
 #include "libration/ode/parse.hpp"
-#include "libration/ode/rigorous/suprema/step_suprema.hpp"
+#include "libration/ode/rigorous/step_suprema.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 
 namespace ode_proved_step_suprema_test {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "../rigorous/dense_matrix.hpp"
 #include "../rigorous/lifted_set.hpp"
+#include "../rigorous/matrix/dense_matrix.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 
 namespace libration::ode {

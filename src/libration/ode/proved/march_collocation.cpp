@@ -4,8 +4,8 @@
 #include <limits>
 #include <utility>
 
-#include "../rigorous/dense_matrix.hpp"
 #include "../rigorous/lifted_set.hpp"
+#include "../rigorous/matrix/dense_matrix.hpp"
 #include "collocation_phase.hpp"
 #include "libration/ode/proved/proved_march.hpp"
 #include "libration/scalar/error.hpp"

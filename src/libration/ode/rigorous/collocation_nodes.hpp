@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "dense_matrix.hpp"
+#include "matrix/dense_matrix.hpp"
 
 namespace libration::ode {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "dense_matrix.hpp"
+#include "matrix/dense_matrix.hpp"
 
 namespace libration::ode {
 

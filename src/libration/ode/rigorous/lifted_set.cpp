@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "ball_polynomial.hpp"
-#include "dense_matrix.hpp"
 #include "fast_modes.hpp"
 #include "libration/ode/ball/step_pieces.hpp"
 #include "libration/scalar/ball/predicates.hpp"
+#include "matrix/dense_matrix.hpp"
 
 namespace libration::ode {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dense_matrix.hpp"
+#include "matrix/dense_matrix.hpp"
 
 namespace libration::ode {
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "dense_matrix.hpp"
 #include "growth.hpp"
 #include "libration/ode/ball/step_pieces.hpp"
 #include "libration/scalar/ball/predicates.hpp"
+#include "matrix/dense_matrix.hpp"
 
 namespace libration::ode {
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "libration/ode/rigorous/tube.hpp"
-#include "suprema/step_suprema.hpp"
+#include "step_suprema.hpp"
 
 namespace libration::ode {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../../rigorous/dense_matrix.hpp"
+#include "../../rigorous/matrix/dense_matrix.hpp"
 
 namespace libration::ode {
 

@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "../ball_polynomial.hpp"
-#include "../bound_matrix.hpp"
-#include "../polynomial_map.hpp"
+#include "ball_polynomial.hpp"
 #include "libration/ode/rigorous/tube.hpp"
+#include "matrix/bound_matrix.hpp"
+#include "polynomial_map.hpp"
 
 namespace libration::ode {
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 
-#include "../dense_matrix.hpp"
 #include "libration/ode/ball/step_pieces.hpp"
 #include "libration/scalar/ball/predicates.hpp"
+#include "matrix/dense_matrix.hpp"
 #include "step_suprema.hpp"
 
 namespace libration::ode {
