@@ -151,6 +151,11 @@ if(words_python)
             --sentences ${PROJECT_SOURCE_DIR}/tests/words/sentences.txt
             ${worded})
     set_tests_properties(words PROPERTIES TIMEOUT 20)
+    # Changes of published certificates are reported by ./run check.
+    add_test(NAME changed_certificates
+        COMMAND ${words_python} -I ${PROJECT_SOURCE_DIR}/tests/certificates/changed.py
+            ${PROJECT_BINARY_DIR}/changed_certificates)
+    set_tests_properties(changed_certificates PROPERTIES TIMEOUT 60)
 endif()
 
 # The readers of tables in docs/ whose tools are in Debian.
