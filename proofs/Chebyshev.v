@@ -162,7 +162,7 @@ Proof.
   rewrite !cheb_add. cbn [cheb tail]. rewrite !tail_add, !tail_mul, int_mul, int_zero.
   replace (cheb (match differences with [] => [] | d :: q => BigZ.add d d :: q end) x) with (tail 0 differences x).
   2:{ destruct differences as [|e q]; simpl; [ring|]. rewrite int_add. ring. }
-  simpl (1 + 1)%nat in P. 
+  simpl (1 + 1)%nat in P.
   replace ((real_of_int c + tail 1 a x) * (real_of_int d + tail 1 b x)) with
     (real_of_int c * real_of_int d + real_of_int c * tail 1 b x + real_of_int d * tail 1 a x + tail 1 a x * tail 1 b x) by ring.
   rewrite P. ring.
