@@ -6,7 +6,7 @@
 //
 // Each gets the largest tolerance 10^-k, Libration the least step accuracy 2^-k, with which 40 of the solutions attain an
 // error of 1e-12 relative to their largest component at the end, against taylor_march in mpfr of 60 digits. Nanoseconds
-// are of CPU time per solution, with several threads of the clock on the wall. GSL, which may not be linked here, times
+// are of CPU time per solution; with several threads, of wall-clock time. GSL, which may not be linked here, times
 // itself in a separate program. Exits with status 1 if a side does not attain the error, or if solutions in lock step
 // differ in a bit from those one after the other.
 #include <benchmark/benchmark.h>

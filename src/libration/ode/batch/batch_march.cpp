@@ -47,14 +47,14 @@ public:
         for (std::size_t lane = 0; lane < batch_lanes; ++lane) {
             begin_next(lane);
         }
-        std::size_t told = 0;
+        std::size_t reported = 0;
         for (long round = 1; active_ > 0; ++round) {
             by_.expansion_.about(centres_, states_);
             measure();
             write_reached();
             step();
-            if (finished && (finished_ != told || round % rounds_between_calls == 0)) {
-                told = finished_;
+            if (finished && (finished_ != reported || round % rounds_between_calls == 0)) {
+                reported = finished_;
                 finished(finished_);
             }
         }
