@@ -195,7 +195,7 @@ void add_ours(std::vector<contender>& all, const many_starts& of, const mpfr& as
         march_on_threads(of, bits, threads, *ends);
         return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - begin).count() / solutions;
     };
-    add(all, fmt::format("the same on {} threads, clock on the wall", threads), on_the_wall, error, asked);
+    add(all, fmt::format("the same on {} threads, wall-clock time", threads), on_the_wall, error, asked);
     add(all, "libration taylor_march<double>, one by one",
         bench::timed(solutions, [&of, bits] { benchmark::DoNotOptimize(ends_alone(of, bits, true)); }), error, asked);
 }
