@@ -1,7 +1,7 @@
-// The coefficients of E = 1.71 to order N: how many times faster than the recurrence printed in the paper,
-// (pendseries), in the same arithmetic to the same digits? About the top, where every second coefficient vanishes, and
-// about T*/2, where none does; in mpfr and on balls, and in double and quad. All in one run on one thread, the
-// repetitions interleaved at random; medians with their spread.
+// The coefficients of E = 1.71 to order N, compared with the recurrence printed in the paper, (pendseries), in the same
+// arithmetic to the same digits: about the top, where every second coefficient vanishes, and about T*/2, where none
+// does; in mpfr and on balls, and in double and quad. All in one run on one thread, the repetitions interleaved at
+// random; medians with their spread.
 //
 //   ./run bench coefficients
 //

@@ -1,5 +1,5 @@
-// theta(0.7) at E = 1.71 from the decimal input to the proved digits: how many times faster than Arb's theta functions
-// and than Boost.Math? All in one run on one thread, the repetitions interleaved at random; medians with their spread.
+// theta(0.7) at E = 1.71 from the decimal input to the proved digits, compared with Arb's theta functions and with
+// Boost.Math. All in one run on one thread, the repetitions interleaved at random; medians with their spread.
 //
 //   ./run bench reference [--long]      16 to 10^4 digits; --long adds 10^5, there without Boost.Math
 //

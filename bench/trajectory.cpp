@@ -1,6 +1,6 @@
-// theta and omega at many times: how many times faster is the sampler than Jacobi's functions of GSL and of Boost.Math
-// in double, than Boost.Math in quad, and than a numerical integration by Boost.odeint? All in one run on one thread,
-// in turns, the sampler also with each available set of vector instructions; medians of CPU time with their spread.
+// theta and omega at many times: the sampler compared with Jacobi's functions of GSL and of Boost.Math in double, with
+// Boost.Math in quad, and with a numerical integration by Boost.odeint. All in one run on one thread, in turns, the
+// sampler also with each available set of vector instructions; medians of CPU time with their spread.
 // GSL, which may not be linked here, times itself in a separate program.
 //
 //   ./run bench trajectory

@@ -30,7 +30,6 @@ PAGES = {
     "REFERENCES.md": "references.md",
     "results/README.md": "verdicts.md",
     "results/errata.md": "errata.md",
-    "results/bench.md": "benchmarks.md",
 }
 # Pages that are generated, as the others link to them.
 GENERATED = ["gallery.md", "reference/options.md", "reference/c.md", "reference/cpp/index.rst"]
