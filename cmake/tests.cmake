@@ -151,6 +151,9 @@ if(words_python)
             --sentences ${PROJECT_SOURCE_DIR}/tests/words/sentences.txt
             ${worded})
     set_tests_properties(words PROPERTIES TIMEOUT 20)
+    add_test(NAME places_of_planted_faults
+        COMMAND ${words_python} ${PROJECT_SOURCE_DIR}/tests/faults/plant.py --places)
+    set_tests_properties(places_of_planted_faults PROPERTIES TIMEOUT 20)
     # Changes of published certificates are reported by ./run check.
     add_test(NAME changed_certificates
         COMMAND ${words_python} -I ${PROJECT_SOURCE_DIR}/tests/certificates/changed.py

@@ -393,9 +393,10 @@ FAULTS = [
         ("a slope near the edge bounded by its first term", "        throw precision_exhausted(\"a derivative near", "        precision_exhausted(\"a derivative near"),
     ),
     *in_file(
-        "src/libration/ode/proved/proved_singularity.cpp", [BOUNDS],
+        ROOM + "ode/proved/constant_solution.hpp", [BOUNDS],
         ("a constant solution whatever its right-hand sides", " || !replaced(system.right()[i], start).is(0)", ""),
         ("a constant solution whatever its slopes", "!std::all_of(values.begin() + 1, values.end(), is_zero) || ", ""),
+        sources=["src/libration/ode/proved/proved_singularity.cpp"],
     ),
     *in_file(
         "src/libration/verify/proved/compare_rules.cpp", ["verify/proved/double_decimals_test.cpp"],
@@ -641,8 +642,8 @@ FAULTS = [
     ),
     *in_file(
         ROOM + "ode/proved/proof_route.hpp", [ROUTES],
-        ("the products of the first in the second", "return {5, 7, nullptr};", "return {5, 7, fast_product<ball>()};"),
-        ("the steps of the first in the second", "return {5, 7, nullptr};", "return {5, 8, nullptr};"),
+        ("the products of the first in the second", "return {5, 7, nullptr, ", "return {5, 7, fast_product<ball>(), "),
+        ("the steps of the first in the second", "return {5, 7, nullptr, ", "return {5, 8, nullptr, "),
     ),
     *in_file(
         "src/libration/ode/lifted_system.cpp", ["ode/lifted_system_test.cpp"],

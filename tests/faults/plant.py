@@ -2,12 +2,13 @@
 """Plants the faults of faults.py one at a time in a copy of the tree and lists the tests that catch each.
 
     python3 tests/faults/plant.py BUILD [--jobs N] [--only WORD...]
+    python3 tests/faults/plant.py --places
 
 BUILD is the folder of a build that has made liblibration.a and liblibration-proved.a, release for one. For each fault
 only the tests named beside it are compiled, and a source of the library where the fault is in one. A test catches a
 fault by failing, by a crash, by running SLOWER times as long as without it, or by not compiling. First the same tests
 have to pass as they are. Exit code: 0 where every fault is caught; 1 where one is not, or where a test fails without any; 2 where a
-fault cannot be planted, because its text does not stand in its file exactly once.
+fault cannot be planted, because its text does not stand in its file exactly once. --places checks only the latter.
 """
 
 import argparse
@@ -147,12 +148,17 @@ def spread(jobs, tasks, free):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("build", type=pathlib.Path, nargs="?")
+    parser.add_argument("--places", action="store_true", help="check the places of the faults only")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--only", nargs="+", default=[""], help="faults with one of these in file or description")
     options = parser.parse_args()
     faults = [f for f in FAULTS if any(word in f"{f.file}: {f.what}" for word in options.only)]
     check_places(faults)
+    if options.places:
+        return
+    if not options.build:
+        parser.error("the folder of a build is missing")
 
     begin = time.monotonic()
     work = options.build.resolve() / "faults"
