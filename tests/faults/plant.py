@@ -89,13 +89,10 @@ class Workshop:
         return failed, done.stdout
 
     def sources_with(self, path):
-        """What of the library a fault is compiled into beside the test: the source, or those beside a header of src/ that
-        include it."""
-        if path.suffix == ".hpp":
-            named = f'#include "{path.name}"'
-            paths = [p for p in path.parent.glob("*.cpp") if named in p.read_text()]
-        else:
-            paths = [path]
+        """What of the library a fault is compiled into beside the test: the source, and those beside it that include it,
+        a header of src/, or its header. In the archives of a unity build, the code of a source may be inlined there."""
+        named = f'#include "{path.with_suffix(".hpp").name}"'
+        paths = [p for p in path.parent.glob("*.cpp") if p == path or named in p.read_text()]
         return [p.relative_to(self.folder) for p in paths]
 
     def planted(self, fault):
