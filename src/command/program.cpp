@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "libration/digits/memory_need.hpp"
+#include "libration/problem/catalogue.hpp"
 #include "libration/scalar/ball/failure.hpp"
 #include "libration/scalar/ball/quotient.hpp"
 #include "libration/scalar/error.hpp"
@@ -100,12 +101,25 @@ std::vector<std::string> names_in(const CLI::App& app) {
     return names;
 }
 
+// A problem of the catalogue, or an equation, without the option that accepts it.
+std::string advice_for_problem(const std::string& word, const CLI::App& command) {
+    const auto& known = libration::catalogue();
+    const bool named = std::any_of(known.begin(), known.end(), [&](const auto& each) { return each.name == word; });
+    const bool equation = !word.starts_with("-") && word.find('=') != std::string::npos;
+    return (named || equation) && command.get_option_no_throw("--problem") != nullptr
+               ? fmt::format(": write --problem {}", equation ? "\"" + libration::shortened(word) + "\"" : word)
+               : "";
+}
+
 // CLI11's error message as one line with a remedy, and a similar valid name.
 int complain_of_usage(const CLI::App& program, const std::string& problem) {
     const std::string unexpected = unexpected_word(program);
     const auto chosen = program.get_subcommands();
-    const std::string near = libration::suggestion(unexpected.substr(0, unexpected.find('=')),
-                                                   names_in(chosen.empty() ? program : *chosen.front()));
+    std::string near = libration::suggestion(unexpected.substr(0, unexpected.find('=')),
+                                             names_in(chosen.empty() ? program : *chosen.front()));
+    if (near.empty() && !chosen.empty()) {
+        near = advice_for_problem(unexpected, *chosen.front());
+    }
     const std::string line =
         unexpected.empty() ? problem : libration::quotation(unexpected) + " is not understood" + near;
     const std::string help =

@@ -197,6 +197,8 @@ TEST_CASE("a Runge-Kutta step that is not positive, or that takes forever, is re
 }
 
 TEST_CASE("words that nothing expects, and words that are missing, are refused", "[command][bad input]") {
+    check_refused({"find", "lorenz", "--periodic"}, {"'lorenz'", "write --problem lorenz"});
+    check_refused({"reference", "y'=y; y(0)=1", "--time", "1"}, {"write --problem \"y'=y; y(0)=1\""});
     check_refused({"--bogus"}, {"'--bogus'"});
     check_refused({"bogus"}, {"'bogus'"});
     check_refused({}, {"subcommand", "--help"});

@@ -73,7 +73,8 @@ TEST_CASE("a search without an event prints the time that it reached", "[command
 }
 
 TEST_CASE("find ends at the timeout with the time of its integration", "[command][timeout]") {
-    const auto ended = run_libration({"find", "--problem", "three_body_figure_8", "--periodic", "--timeout", "500ms"});
+    const auto ended =
+        run_libration({"find", "--problem", "van_der_pol", "--periodic", "--digits", "1000", "--timeout", "500ms"});
     check_ended(ended, "--timeout '500ms' ended the command");
     CHECK(ended.out.empty());
 }

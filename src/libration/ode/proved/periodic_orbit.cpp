@@ -19,12 +19,13 @@ constexpr int most_returns = 12;
 // F(x, T) = Phi_T(x) - x, x on the section: the unknown `held` has its initial value.
 class closing {
 public:
-    closing(const explicit_system& system, const first_order_form& form, std::size_t held, const proof_route& route,
-            const march_watch& watch)
-        : system_(system), form_(form), held_(held), route_(route), watch_(watch) {}
+    closing(const explicit_system& system, const first_order_form& form, std::size_t held, const number& guessed_period,
+            const proof_route& route, const march_watch& watch)
+        : system_(system), form_(form), held_(held), guessed_(guessed_period), route_(route), watch_(watch) {}
 
     std::optional<enclosed_map> operator()(const std::vector<ball>& x, long bits, long error_bits) const {
         const precision_scope scope(decimal_digits(bits));
+        require_near_guess(x.back());
         std::vector<ball> start(x.begin(), x.end() - 1);
         start.insert(start.begin() + static_cast<std::ptrdiff_t>(held_), constant_value<ball>::of(form_.starts[held_]));
         proved_march march(system_, start, bits, error_bits, watch_, route_);
@@ -51,9 +52,22 @@ public:
     }
 
 private:
+    // Newton's method may leave for any period, up to which an integration would not end.
+    void require_near_guess(const ball& period) const {
+        const ball guess = constant_value<ball>::of(guessed_);
+        if (certainly_less(period * 2, guess) || certainly_less(guess * 2, period)) {
+            throw error(
+                error_kind::undecided, "solution", "",
+                "was not found: Newton's method left the neighbourhood of the closest return, from the period " +
+                    to_decimal(midpoint_of(guess), 6) + " to " + to_decimal(midpoint_of(period), 6) +
+                    ": choose an initial point nearer to a periodic orbit");
+        }
+    }
+
     const explicit_system& system_;
     const first_order_form& form_;
     std::size_t held_;
+    number guessed_;
     proof_route route_;
     march_watch watch_;
 };
@@ -156,26 +170,20 @@ bool is_in_potential(const explicit_system& system) {
     return true;
 }
 
-// find(); a failure is explained for a system with a conserved quantity, whose periodic orbits come in families.
-template <class Find>
-std::vector<proved_decimal> orbit_or_family(const explicit_system& system, const Find& find) {
-    try {
-        return find();
-    } catch (const error& problem) {
-        const bool potential = is_in_potential(system);
-        if (problem.kind() != error_kind::undecided || problem.subject() != "solution" ||
-            (!potential && system.invariants().empty())) {
-            throw;
-        }
-        const std::string x = system.unknowns().front().name;
-        throw error(error_kind::undecided, "solution", "",
-                    std::string("is not isolated: ") +
-                        (potential ? "the energy of a motion in a potential" : "the invariant of the problem") +
-                        " is conserved, so that periodic orbits come in families, one for each energy or period; "
-                        "without --periodic, one of them is determined by its half period T or its energy, if " +
-                        x + "'(0) = 0 and T is a parameter: use --unknown \"" + x + "(0)\" --such-that \"" + x +
-                        "'(T) = 0\", or T as a second unknown and the energy at 0 as a second condition");
+// A conserved quantity I satisfies I(x + F) = I(x): where F = 0, grad I dF/dx = 0, so that no periodic orbit is isolated.
+void require_isolated_orbits(const explicit_system& system) {
+    const bool potential = is_in_potential(system);
+    if (!potential && system.invariants().empty()) {
+        return;
     }
+    const std::string x = system.unknowns().front().name;
+    throw error(error_kind::undecided, "solution", "",
+                std::string("is not isolated: ") +
+                    (potential ? "the energy of a motion in a potential" : "the invariant of the problem") +
+                    " is conserved, so that periodic orbits come in families, one for each energy or period; "
+                    "without --periodic, one of them is determined by its half period T or its energy, if " +
+                    x + "'(0) = 0 and T is a parameter: use --unknown \"" + x + "(0)\" --such-that \"" + x +
+                    "'(T) = 0\", or T as a second unknown and the energy at 0 as a second condition");
 }
 
 }  // namespace
@@ -189,6 +197,7 @@ periodic_orbit proved_periodic_orbit(const explicit_system& system, long digits,
                         "occurs in the equation: periodic orbits require an autonomous system");
         }
     }
+    require_isolated_orbits(system);
     std::vector<number> guess = form.starts;
     std::size_t held = 0;
     {
@@ -197,12 +206,13 @@ periodic_orbit proved_periodic_orbit(const explicit_system& system, long digits,
         guess.push_back(guessed_period(system, form, held, watch));
     }
     guess.erase(guess.begin() + static_cast<std::ptrdiff_t>(held));
-    const closing closed(system, form, held, route, watch);
-    auto values = orbit_or_family(system, [&] {
-        return proved_root(
-            [&](const std::vector<ball>& x, long bits, long error_bits) { return closed(x, bits, error_bits); }, guess,
-            digits);
-    });
+    const closing closed(system, form, held, guess.back(), route, watch);
+    std::vector<std::string> names = form.names;
+    names.erase(names.begin() + static_cast<std::ptrdiff_t>(held));
+    names.emplace_back("period");
+    auto values =
+        proved_root([&](const std::vector<ball>& x, long bits, long error_bits) { return closed(x, bits, error_bits); },
+                    guess, digits, names);
     const precision_scope scope(digits + 20);
     const auto fixed = to_proved_decimal(constant_value<ball>::of(form.starts[held]), digits);
     periodic_orbit orbit{form.names, std::move(values), {}};
