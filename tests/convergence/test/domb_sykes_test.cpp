@@ -53,6 +53,32 @@ TEMPLATE_LIST_TEST_CASE("the plot's extrapolated intercept gains many digits ove
     CHECK(abs(T(*e.exponent - T(1) / 3)) <= e.exponent_uncertainty);
 }
 
+// Corrections in n^(-1/2), which the table in 1/n does not remove: e^(x/(1-x)), whose coefficients are
+// (n + 1) a_(n+1) = (2 n + 1) a_n - (n - 1) a_(n-1), and (1-x)^-1 with a branch point at the same place, a_n = 1 + n^(-1/2).
+TEMPLATE_LIST_TEST_CASE("the uncertainty of the plot covers essential singularities and confluent branch points",
+                        "[convergence][domb_sykes]", all_scalars) {
+    using T = typename TestType::type;
+    const typename TestType::precision precision;
+    using std::sqrt;
+    for (const int last : {25, 50, 100, 200, 300}) {
+        INFO(last);
+        auto essential = power_series<T>::zero(last);
+        auto confluent = power_series<T>::zero(last);
+        essential[0] = essential[1] = confluent[0] = 1;
+        confluent[1] = 2;
+        for (int n = 1; n < last; ++n) {
+            essential[n + 1] = T(T((2 * n + 1) * essential[n]) - T((n - 1) * essential[n - 1])) / (n + 1);
+            confluent[n + 1] = T(1 + 1 / T(sqrt(T(n + 1))));
+        }
+        for (const auto& a : {essential, confluent}) {
+            const auto e = domb_sykes(every_coefficient(a));
+            REQUIRE(e.radius);
+            CHECK(covers(e, T(1)));
+            CHECK(e.uncertainty < T(1) / 4);
+        }
+    }
+}
+
 TEMPLATE_LIST_TEST_CASE("the plot refuses scattering ratios and zeros", "[convergence][domb_sykes]", all_scalars) {
     using T = typename TestType::type;
     const typename TestType::precision precision;

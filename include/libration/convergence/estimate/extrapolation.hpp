@@ -51,19 +51,43 @@ void next_column(std::vector<T>& column, const std::vector<sequence_entry<T>>& s
     }
 }
 
-/// Entry i of a column with the movement of the previous entries, which estimates the error of an entry of order
-/// n^-(j+1).
+/// How many of the last entries of a column, which begins at `first`, show its movement.
+template <rounding_scalar T>
+std::size_t window_of(const std::vector<sequence_entry<T>>& s, std::size_t first) {
+    return std::min(s.size() - 1 - first, std::max<std::size_t>(3, s.size() / 8));
+}
+
+/// The power p of n^-p with which the last entries of a column approach its limit, by their first and last differences,
+/// at least 1/4; std::nullopt unless they are monotonic, as they are until rounding dominates.
+template <rounding_scalar T>
+std::optional<T> power_of_approach(const std::vector<T>& column, const std::vector<sequence_entry<T>>& s,
+                                   std::size_t first) {
+    using std::log;
+    const std::size_t last = s.size() - 1;
+    const std::size_t begin = last - window_of(s, first);
+    const auto slope = [&](std::size_t i) { return T((column[i + 1] - column[i]) / (s[i + 1].n - s[i].n)); };
+    const auto middle = [&](std::size_t i) { return T(T(s[i + 1].n + s[i].n) / 2); };
+    const bool rises = column[begin] < column[last];
+    for (std::size_t i = begin; i < last; ++i) {
+        if (column[i] == column[i + 1] || (column[i] < column[i + 1]) != rises) {
+            return std::nullopt;
+        }
+    }
+    const T decrease = log(T(slope(begin) / slope(last - 1)));
+    return std::max(T(T(1) / 4), T(decrease / log(T(middle(last - 1) / middle(begin))) - 1));
+}
+
+/// Entry i of column j with the movement of the previous entries, which estimates its error, of order n^-power.
 template <rounding_scalar T>
 sequence_limit<T> column_limit(const std::vector<T>& column, const std::vector<sequence_entry<T>>& s, std::size_t j,
-                               std::size_t first) {
+                               std::size_t first, const T& power) {
     using std::abs;
     const std::size_t last = s.size() - 1;
-    const std::size_t window = std::min(last - first, std::max<std::size_t>(3, s.size() / 8));
+    const std::size_t window = window_of(s, first);
     T moved(0);
     for (std::size_t i = last - window; i < last; ++i) {
         moved = std::max(moved, T(abs(column[i] - column[last])));
     }
-    const int power = static_cast<int>(j) + 1;
     const T falls = T(s[last].n) / ((s[last].n - s[last - window].n) * power);
     return {column[last], T(moved * (falls > 1 ? falls : T(1))), static_cast<int>(j)};
 }
@@ -118,10 +142,12 @@ private:
 }  // namespace fitting
 
 /// By Neville's table with the steps 1, 2, 4, .. and at most 40 columns. n increases from entry to entry; at least four
-/// entries, of size about 1 or equally scaled. For a power law in 1/n the uncertainty is about the error. O(N log N)
-/// per column. Throws error for fewer entries.
+/// entries, of size about 1 or equally scaled. For a power law the uncertainty is about the error: column j, whose error
+/// is O(n^-(j+1)), may approach the limit more slowly, as with a term in n^(-1/2), which no column removes; then so do
+/// the later ones. O(N log N) per column. Throws error for fewer entries.
 template <rounding_scalar T>
 sequence_limit<T> neville_limit(const std::vector<sequence_entry<T>>& s) {
+    using std::abs;
     constexpr std::size_t fewest = 4;
     constexpr std::size_t most_columns = 40;
     if (s.size() < fewest) {
@@ -136,11 +162,19 @@ sequence_limit<T> neville_limit(const std::vector<sequence_entry<T>>& s) {
             column.push_back(entry.value);
         }
         const std::size_t most = std::min(most_columns, (s.size() - fewest) / h / 2);
+        std::optional<T> before;  // the power of the column before
+        std::optional<T> slow;    // that of a term that no column removes: the same in two of them
         for (std::size_t j = 0; j <= most; ++j) {
             if (j > 0) {
                 fitting::next_column(column, s, j, h);
             }
-            auto limit = fitting::column_limit(column, s, j, j * h);
+            const auto power = fitting::power_of_approach(column, s, j * h);
+            if (!slow && power && before && abs(*power - *before) < T(1) / 2) {
+                slow = std::min(*power, *before);
+            }
+            before = power;
+            const T expected(static_cast<int>(j) + 1);
+            auto limit = fitting::column_limit(column, s, j, j * h, slow ? std::min(*slow, expected) : expected);
             if (is_a_number(limit.value) && (!best || limit.uncertainty < best->uncertainty)) {
                 best = std::move(limit);
             }
