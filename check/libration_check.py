@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
 """libration_check.py FILE: checks a certificate of values of a differential equation and prints the proved statement.
-
 The format and the theorem are in docs/certificates.md. Integers and fractions only. Exit status: 0 if it is proved.
 
 A polynomial in x on [-1, 1] is a list a of integers, with an exponent k that is kept apart:
@@ -13,24 +12,19 @@ import re
 import sys
 import zlib
 from fractions import Fraction
-from itertools import zip_longest
+from functools import cache, reduce
 
-PARTS = 8                  # of a step, on each of which the rate of a mode is bounded
-ONE = Fraction(1)
+PARTS, ONE = 8, Fraction(1)        # of a step, on each of which the rate of a mode is bounded
 
 class Refused(Exception):
     pass
-
 def need(condition, reason):
     if not condition:
         raise Refused(reason)
-
 def two(k):
     return Fraction(2)**k
-
 def root_up(x):                                                                         # an integer >= sqrt(x)
     return math.isqrt(x - 1) + 1 if x > 0 else 0
-
 def norm(a):                                                                            # at least |a(x)|
     return 2 * sum(map(abs, a)) - abs(a[0]) if a else 0
 
@@ -44,12 +38,10 @@ def value(a, x):
 
 def derivative(a):
     return [sum(2 * k * a[k] for k in range(j + 1, len(a), 2)) for j in range(len(a) - 1)]
-
 def scaled(a, c):
     return [c * x for x in a]
-
 def add(a, b):
-    return [x + y for x, y in zip_longest(a, b, fillvalue=0)]
+    return [x + y for x, y in zip(a + [0] * (len(b) - len(a)), b + [0] * (len(a) - len(b)))]
 
 def dot(u, v):
     """The sum of u[i] v[i], by products of values at z = 2^w, w so large that the coefficients can be read off."""
@@ -64,7 +56,6 @@ def dot(u, v):
 
 DERIVATIVES = {"exp": "w", "log": "1/u", "sin": "cos(u)", "cos": "-sin(u)"}
 OPERATORS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Pow: "^"}
-
 def formula(text):
     """Nested tuples ("+", a, b), ("*", a, b), ("/", a, b), ("^", a, fraction), (function, a); names; fractions."""
     names = []
@@ -89,23 +80,17 @@ def formula(text):
 def plus(a, b):
     result = {m: a.get(m, 0) + b.get(m, 0) for m in {**a, **b}}
     return {m: x for m, x in result.items() if x}
-
 def times(a, b):
-    result = {}
-    for m, x in a.items():
-        result = plus(result, {tuple(sorted(m + k)): x * y for k, y in b.items()})
-    return result
-
+    return reduce(plus, [{tuple(sorted(m + k)): x * y for k, y in b.items()} for m, x in a.items()], {})
 def power(a, n):
     need(0 <= n <= 100, "an exponent is out of range")
     return times(a, power(a, n - 1)) if n else {(): ONE}
-
 def partial(a, k):
     return {m[:m.index(k)] + m[m.index(k) + 1:]: x * m.count(k) for m, x in a.items() if k in m}
 
 def as_polynomial(tree, names, added):
     """`names`: polynomials of the names; `added`: those of the added unknowns, by (kind, argument, exponent)."""
-    def find(kind, u, exponent=None):
+    def find(kind, u, exponent=-ONE):
         key = kind, frozenset(u.items()), exponent
         need(key in added, "no added unknown is defined as the '%s' that an equation needs" % kind)
         return added[key]
@@ -131,9 +116,7 @@ def as_polynomial(tree, names, added):
     k = max(0, math.ceil(r))
     return times(power(u, k), power(find("^", u, Fraction(-1, r.denominator)), k * r.denominator - r.numerator))
 
-class Enclosures:
-    """Values of formulas as pairs (lower, upper) of fractions, functions to about `bits` bits behind the point."""
-
+class Enclosures:   # values of formulas as pairs (lower, upper) of fractions, to about `bits` bits behind the point
     def __init__(self, bits):
         self.bits = bits
 
@@ -154,20 +137,12 @@ class Enclosures:
             low, high = self.entire(a, kind)
             return (low, self.entire(b, kind)[1]) if kind == "exp" else (low - (b - a), high + (b - a))
         r = tree[2] if kind == "^" else ONE
-        if kind == "^" and r.denominator == 1 and r >= 0 and (a >= 0 or r.numerator % 2):
-            return a**r.numerator, b**r.numerator
+        if kind == "^" and r.denominator == 1 and r >= 0:
+            low, high = sorted((a**r.numerator, b**r.numerator))
+            return low if r % 2 or a * b > 0 else Fraction(0), high
         need(a > 0 and kind in ("^", "log"), "a start takes the '%s' of a number that is not positive" % kind)
-        low, high = sorted((a**r.numerator, b**r.numerator))
-        return (self.log(a)[0], self.log(b)[1]) if kind == "log" else (
-            self.root(low, r.denominator), self.root(high, r.denominator) + two(-self.bits))
-
-    def root(self, x, q):                          # 2^-bits floor(2^bits x^(1/q))
-        whole = math.floor(x * two(self.bits * q))
-        low, high = 0, 2 << whole.bit_length() // q
-        while high - low > 1:
-            middle = (low + high) // 2
-            low, high = (middle, high) if middle**q <= whole else (low, middle)
-        return low * two(-self.bits)
+        low, high = sorted((r * self.log(a)[0], r * self.log(b)[1]))                                # a^r = exp(r log a)
+        return (low, high) if kind == "log" else (self.entire(low, "exp")[0], self.entire(high, "exp")[1])
 
     def entire(self, x, kind):
         """By terms x^j/j!: each has an error below 2 e^|x| units, the argument one of e^|x|, the rest is below 8."""
@@ -176,11 +151,9 @@ class Enclosures:
         factor, t = math.floor(x * two(bits)), [1 << bits]
         while abs(t[-1]) > 1 or len(t) < 2 * abs(x) + 2:
             t.append((t[-1] * factor >> bits) // len(t))
-        odd = kind == "sin"
-        total = sum(t) if kind == "exp" else sum(t[odd::4]) - sum(t[odd + 2::4])
+        total = sum(t) if kind == "exp" else sum((-1)**k * c for k, c in enumerate(t[kind == "sin"::2]))
         error = (2 * len(t) + 10) * 3**math.ceil(abs(x))
         return (total - error) * two(-bits), (total + error) * two(-bits)
-
     def odd_series(self, z, sign):
         """The sum of sign^j z^(2j+1)/(2j+1), |z| <= 1/3, and a bound of its error: 3 units a power, the rest."""
         bits = self.bits + 40
@@ -190,13 +163,11 @@ class Enclosures:
             total, count = total + sign**count * (p // (2 * count + 1)), count + 1
             p = (p * factor >> bits) * factor >> bits
         return total * two(-bits), (4 * count + 16) * two(-bits)
-
     def log(self, x):
         """log(2^k m) = 2 artanh((m - 1)/(m + 1)) + 2 k artanh(1/3), 1/2 <= m <= 2."""
         k = x.numerator.bit_length() - x.denominator.bit_length()
         (a, da), (b, db) = self.odd_series((x - two(k)) / (x + two(k)), 1), self.odd_series(ONE / 3, 1)
         return 2 * (a + k * b - da - abs(k) * db), 2 * (a + k * b + da + abs(k) * db)
-
     def pi(self):                                  # 16 arctan(1/5) - 4 arctan(1/239)
         (a, da), (b, db) = self.odd_series(ONE / 5, -1), self.odd_series(ONE / 239, -1)
         return 16 * (a - da) - 4 * (b + db), 16 * (a + da) - 4 * (b - db)
@@ -204,26 +175,22 @@ class Enclosures:
 class Reader:
     def __init__(self, text):
         self.lines, self.at = text.split("\n"), 0
-
     def line(self, word=None):                     # the fields of the next line, behind a word that it begins with
         need(self.at < len(self.lines), "the file ends early")
         t = self.lines[self.at].split(" ") if self.lines[self.at] else []
         self.at += 1
         need(word is None or t[:1] == [word], "line %d: '%s' expected" % (self.at, word))
         return t if word is None else t[1:]
-
     def all(self, word):                           # the lines that begin with a word
         found = []
         while self.at < len(self.lines) and self.lines[self.at].startswith(word + " "):
             found.append(" ".join(self.line(word)))
         return found
-
     def integers(self, word, count):
         t = self.line(word)
-        need(len(t) == count and all(re.fullmatch("-?[0-9]{1,5}", x, re.ASCII) for x in t),
-             "line %d: %d integers of at most 5 digits expected" % (self.at, count))
+        short = all(re.fullmatch("-?[0-9]{1,5}", x, re.ASCII) for x in t)
+        need(short and len(t) == count, "line %d: %d integers of at most 5 digits expected" % (self.at, count))
         return [int(x) for x in t]
-
     def section(self, word, exponents, lists):     # a line with exponents, and lists of integers
         k, found = self.integers(word, exponents), [self.line() for _ in range(lists)]
         need(all(re.fullmatch("-?[0-9a-f]+", x, re.ASCII) for t in found for x in t), "'%s': bad coefficients" % word)
@@ -233,8 +200,7 @@ def fraction(text):
     need(re.fullmatch(r"-?\d+(/0*[1-9]\d*|(\.\d+)?(e[-+]?\d{1,5})?)", text, re.ASCII), "'%s' is not a number" % text)
     return Fraction(text)
 
-class Problem:
-    """The head of a certificate: equations, their polynomial form, enclosures of the start, claimed values."""
+class Problem:      # the head of a certificate: equations, their polynomial form, enclosures of the start, claims
     def __init__(self, r):
         need(r.line("libration-certificate") == ["1"], "not a certificate of version 1")
         self.variable, self.t0 = " ".join(r.line("variable")), fraction(" ".join(r.line("at")))
@@ -244,8 +210,11 @@ class Problem:
         self.starts, defined = r.all("start"), [x.split(" = ") for x in r.all("define")]
         names = [self.variable] + self.state + [x[0] for x in defined]
         need(len(self.starts) == len(self.state) and len(set(names)) == len(names), "names and starts do not match")
-        self.bits, start_bits = r.integers("bits", 2)
+        self.condition, (self.bits, start_bits) = r.all("condition"), r.integers("bits", 2)
         need(16 <= self.bits <= start_bits, "the numbers of bits are out of range")
+        self.zeros = {"#%d" % (k + 1): x.split(" ") for k, x in enumerate(r.all("zero"))}
+        need(len(self.condition) == min(len(self.zeros), 1), "there are zeros without a condition, or two conditions")
+        self.ends = [self.t0] + [fraction(t) for first, last in self.zeros.values() for t in (first, last)]
         self.claims = [x.split(" ") for x in r.all("claim")]
         need(self.claims and all(len(x) == 4 and x[1] in self.state for x in self.claims), "an unclear claim")
         (self.steps,) = r.integers("steps", 1)
@@ -255,43 +224,47 @@ class Problem:
         """right[i] with y_(i+1)' = right[i], by the chain rule for the added unknowns, and enclosures of the start."""
         own = {x: {(k,): ONE} for k, x in enumerate(names)}
         start, added, arguments = {self.variable: (self.t0, self.t0)}, {}, []
-        for name, text in zip(self.state, self.starts):
-            start[name] = values.of(formula(text), {})
+        start.update({name: values.of(formula(text), {}) for name, text in zip(self.state, self.starts)})
         for name, tree in defined:
             need(type(tree) is tuple and (tree[0] in DERIVATIVES or tree[0] == "^" or tree[:2] == ("/", ONE)),
                  "%s is not defined as a function" % name)
             u = as_polynomial(tree[2 if tree[0] == "/" else 1], {x: own[x] for x in start}, added)
-            added[tree[0], frozenset(u.items()), tree[2] if tree[0] == "^" else None] = own[name]
+            arguments.append((tree[0], tree[2] if tree[0] == "^" else -ONE, u, own[name]))
+            added[tree[0], frozenset(u.items()), arguments[-1][1]] = own[name]
             start[name] = values.of(tree, start)
-            arguments.append((tree[0], tree[-1], u, own[name]))
-        self.start, self.right = [start[x] for x in names[1:]], []
+        self.start, self.right, self.functions, self.sign = [start[x] for x in names[1:]], [], [], 0
         for name, text in self.equations:
             self.right += [own[name[:len(name) - k]] for k in range(name.count("'") - 1, 0, -1)]
             self.right.append(as_polynomial(formula(text), own, added))
         for kind, r, u, w in arguments:
-            slope = partial(u, 0)
-            for k, f in enumerate(self.right):
-                slope = plus(slope, times(partial(u, k + 1), f))
-            rule = DERIVATIVES.get(kind, "-w^2" if kind == "/" else "(%s)*w/u" % (r,))
-            if kind == "^" and r.numerator == -1:
-                rule = "(%s)*w^%d" % (r, r.denominator + 1)
-            self.right.append(times(as_polynomial(formula(rule), {"u": u, "w": w}, added), slope))
+            rule = "(%s)*w" % r + ("^%d" % (r.denominator + 1) if r.numerator == -1 else "/u")          # for powers
+            slope = as_polynomial(formula(DERIVATIVES.get(kind, rule)), {"u": u, "w": w}, added)
+            self.right.append(times(slope, self.slope(u)))
+        for g in [as_polynomial(formula(text), own, added) for text in self.condition]:
+            exact = all(start[names[l]][0] == start[names[l]][1] for m in g for l in m)
+            self.zero_start = exact and sum(c * math.prod(start[names[l]][0] for l in m) for m, c in g.items()) == 0
+            self.functions = [g, self.slope(g)]
 
+    def slope(self, u):                            # the derivative of a polynomial along the solution
+        return reduce(plus, [times(partial(u, k + 1), f) for k, f in enumerate(self.right)], partial(u, 0))
     def statement(self):
         starts = ["%s(%s) = %s" % (x, self.t0, y) for x, y in zip(self.state, self.starts)]
-        last = max((fraction(x[0]) for x in self.claims), key=lambda t: abs(t - self.t0))
-        return "The solution of\n    %s,\n    %s\nexists on [%s, %s], and\n%s." % (
-            ",  ".join("%s = %s" % tuple(x) for x in self.equations), ",  ".join(starts), min(self.t0, last),
-            max(self.t0, last), ",\n".join("    %s(%s) lies in [%s, %s]" % (x[1], x[0], *x[2:]) for x in self.claims))
+        ends = [str(self.t0), *sum(self.zeros.values(), []), *[x[0] for x in self.claims if x[0] not in self.zeros]]
+        ends.sort(key=fraction)
+        text = "The solution of\n    %s,\n    %s\nexists on [%s, %s], and\n" % (
+            ",  ".join("%s = %s" % tuple(x) for x in self.equations), ",  ".join(starts), ends[0], ends[-1])
+        for g in self.condition:
+            last, all_of_them = self.zeros["#%d" % len(self.zeros)][1], ", ".join(self.zeros)
+            text += "%s = 0 from %s, excluded, to %s only at %s, and\n" % (g, self.t0, last, all_of_them)
+        zeros = ["    %s lies in [%s, %s]" % (k, *sorted(x, key=fraction)) for k, x in self.zeros.items()]
+        return text + ",\n".join(zeros + ["    {1}({0}) lies in [{2}, {3}]".format(*x) for x in self.claims]) + "."
 
 def matrix(n, entry):
     return [[entry(i, j) for j in range(n)] for i in range(n)]
-
 def size_of(a, rows, columns):                                                          # at least the Euclidean norm
     return root_up(sum(a[i][j]**2 for i in rows for j in columns))
 
-class Step:
-    """One step: polynomials of the scaled unknowns and their frame, brought to one exponent each."""
+class Step:         # polynomials of the scaled unknowns and their frame, brought to one exponent each
     def __init__(self, r, problem, begin):
         self.n, self.problem, self.begin = n, problem, begin = len(problem.right), problem, begin
         (k,), ((h,),) = r.section("step", 1, 1)
@@ -312,16 +285,14 @@ class Step:
 
     def up(self, x):
         return math.ceil(x * (1 << self.problem.bits))
-
     def bound(self, a, k):                                                              # of |2^-k a(x)|
         return self.up(norm(a) * two(-k))
-
     def times(self, a, b):                         # the product of two matrices of bounds
         return [[-(-sum(x * y for x, y in zip(row, column)) >> self.problem.bits) for column in zip(*b)] for row in a]
 
     def check(self, old):
-        n = self.n
-        Z = matrix(n, lambda i, j: add(dot(self.U[i], [row[j] for row in self.V]), [-(i == j) << self.ku + self.kv]))
+        n, V = self.n, self.V
+        Z = matrix(n, lambda i, j: add(dot(self.U[i], [row[j] for row in V]), [-(i == j) << self.ku + self.kv]))
         z = [[self.bound(a, self.ku + self.kv) for a in row] for row in Z]
         one, q = 1 << self.problem.bits, max(map(sum, z))
         need(2 * q <= one, "frame: U is not nearly the inverse of V")
@@ -330,8 +301,7 @@ class Step:
         self.check_joint(old)
         delta, J, DJ, size, Q, k = self.field()
         kb = self.ku + self.kv + k
-        H = matrix(n, lambda i, j: dot(J[i], [row[j] for row in self.V]))
-        H = matrix(n, lambda i, j: add(H[i][j], scaled(derivative(self.V[i][j]), -Q << k)))
+        H = matrix(n, lambda i, j: add(dot(J[i], [row[j] for row in V]), scaled(derivative(V[i][j]), -Q << k)))
         B = matrix(n, lambda i, j: dot(self.U[i], [row[j] for row in H]))
         bound = [[self.up(norm(a) / (Q * two(kb))) for a in row] for row in B]
         C = self.times([[self.bound(a, self.ku) for a in row] for row in self.U], self.times(DJ, size))
@@ -371,33 +341,38 @@ class Step:
 
     def field(self):
         """Bounds of V^-1 (p' - f), J = f_y(p) in units of 1/(Q 2^k), bounds of its change in the tube, and of V."""
-        n, right, e = self.n, self.problem.right, [0] + self.scales
+        n, right, e = self.n, self.problem.right + self.problem.functions, [0] + self.scales
+        unit = [self.length / 2 * two(-x) for x in self.scales] + [ONE, self.length / 2]
         time = [self.begin + self.length / 2, self.length / 4]
         q = math.lcm(*[x.denominator for x in time if any(0 in m for f in right for m in f)])
         kp = max(self.kp, q.bit_length())
         p = [[math.floor(x * q) << kp for x in time]] + [scaled(a, 1 << kp - self.kp) for a in self.p]
-        terms = [(i, m, c * self.length / 2 / q**m.count(0) * two(sum(e[l] for l in m) - e[i + 1]))
+        terms = [(i, m, c * unit[i] / q**m.count(0) * two(sum(e[l] for l in m)))
                  for i, f in enumerate(right) for m, c in f.items()]                    # of f in scaled unknowns
         Q, most = math.lcm(*[c.denominator for _, _, c in terms]), max([len(m) for _, m, _ in terms] + [1])
-        product = {(): [1]}
-        for m in sorted({m[:at] + m[at + k:] for _, m, _ in terms for at in range(len(m)) for k in (0, 1)}, key=len):
-            for at in range(1, len(m) + 1):
-                if m[:at] not in product:
-                    product[m[:at]] = dot([product[m[:at - 1]]], [p[m[at - 1]]])
-        d, J = [scaled(derivative(a), Q << (most - 1) * kp) for a in p[1:]], matrix(n, lambda i, j: [])
+        @cache
+        def product(m):
+            return dot([product(m[:-1])], [p[m[-1]]]) if m else [1]
+        d, J = [scaled(derivative(a), Q << (most - 1) * kp) for a in p[1:]] + [[], []], matrix(n, lambda i, j: [])
         size = [[self.bound(a, self.kv) for a in row] for row in self.V]
         radii = [max(x) for x in zip(self.R0, self.R1)]
         rho = [0] + [-(-sum(size_of([row], [0], rows) * r for rows, r in zip(self.blocks, radii)) >> self.problem.bits)
                      for row in size]
-        reach, DJ = [self.bound(a, kp) for a in p], matrix(n, lambda i, j: 0)
+        reach, DJ, Dg = [self.bound(a, kp) for a in p], matrix(n, lambda i, j: 0), [ONE, ONE]
+        def change(m):                             # in the tube, of a product of factors
+            larger = math.prod(reach[x] + rho[x] for x in m) - math.prod(reach[x] for x in m)
+            return Fraction(larger, 1 << self.problem.bits * len(m))
         for i, m, c in terms:
-            d[i] = add(d[i], scaled(product[m], -int(c * Q) << (most - len(m)) * kp))
+            d[i] = add(d[i], scaled(product(m), -int(c * Q) << (most - len(m)) * kp))
+            if i >= n:
+                Dg[i - n] += self.up(abs(c) * change(m))
             for at, l in enumerate(m):
-                if l:
+                if l and i < n:
                     rest = m[:at] + m[at + 1:]
-                    J[i][l - 1] = add(J[i][l - 1], scaled(product[rest], int(c * Q) << (most - len(m)) * kp))
-                    change = math.prod(reach[x] + rho[x] for x in rest) - math.prod(reach[x] for x in rest)
-                    DJ[i][l - 1] += self.up(abs(c) * change / (1 << self.problem.bits * len(rest)))
+                    J[i][l - 1] = add(J[i][l - 1], scaled(product(rest), int(c * Q) << (most - len(m)) * kp))
+                    DJ[i][l - 1] += self.up(abs(c) * change(rest))
+        self.functions = [(scaled(a, -1), norm(derivative(a)), x * Q * two(most * kp - self.problem.bits))
+                          for a, x in zip(d[n:], Dg)]
         turned = [[self.up(norm(dot(row, d)) / (Q * two(self.ku + most * kp)))] for row in self.U]
         return self.times(self.N1, turned), J, DJ, size, Q, (most - 1) * kp
 
@@ -405,46 +380,71 @@ class Step:
         return ([value(a, x) * two(e - self.kp) for a, e in zip(self.p, self.scales)],
                 [[value(a, x) * two(e - self.kv) for a in row] for row, e in zip(self.V, self.scales)], self.blocks,
                 [math.ceil(a + (b - a) * (x + 1) / 2) for a, b in zip(self.R0, self.R1)])
+    def places(self, times):                       # as values of x
+        return [2 * (t - self.begin) / self.length - 1 for t in times]
 
-    def check_claim(self, claim):                  # true if its time is in the step: its interval contains the tube
-        x = 2 * (fraction(claim[0]) - self.begin) / self.length - 1
-        if not -1 <= x <= 1:
+    def check_claim(self, claim):                  # true if its last time is in the step: its interval has the tube
+        times = self.places(map(fraction, self.problem.zeros.get(claim[0], claim[:1])))
+        u, v = max(times[0], -ONE), min(times[-1], ONE)
+        if u > v:
             return False
-        i, (centre, frame, blocks, radii) = self.problem.state.index(claim[1]), self.at(x)
-        row = [[self.up(abs(a)) for a in frame[i]]]
+        i, d, (centre, frame, blocks, radii) = self.problem.state.index(claim[1]), (v - u) / 2, self.at((u + v) / 2)
+        slopes, unit = [norm(derivative(a)) * d for a in [self.p[i]] + self.V[i]], two(self.scales[i])
+        row = [[self.up(abs(a) + b * unit * two(-self.kv)) for a, b in zip(frame[i], slopes[1:])]]
+        radii = [r + math.ceil(abs(b - a) * d / 2) for r, a, b in zip(radii, self.R0, self.R1)]
         reach = sum(size_of(row, [0], rows) * r for rows, r in zip(blocks, radii)) * two(-2 * self.problem.bits)
+        reach += slopes[0] * unit * two(-self.kp)
         need(fraction(claim[2]) <= centre[i] - reach and centre[i] + reach <= fraction(claim[3]),
              "the value of %s at %s is not proved to be in its interval" % (claim[1], claim[0]))
-        return True
+        return times[-1] <= 1
+
+    def sure(self, k, u, v):                       # the sign on [u, v] of the condition, k = 0, or of its derivative,
+        a, slope, reach = self.functions[k]        # if the middle and a bound of the slope prove it, or 0
+        y = value(a, (u + v) / 2)
+        return (y > 0) - (y < 0) if abs(y) > slope * (v - u) / 2 + reach else 0
+    def sign(self, u, v):
+        """The sign of the condition on [u, v], but for a zero at the start, by halves; 0 if it is not proved."""
+        way, starts = self.sure(1, u, v), self.problem.zero_start and self.begin == self.problem.t0 and u == -1
+        left = way if starts else self.sure(0, u, u)
+        if left == self.sure(0, v, v) and (way or self.sure(0, u, v)):
+            return left
+        s = self.functions[0][1] * (v - u) > self.functions[0][2] and self.sign(u, (u + v) / 2)
+        return s and s * (s == self.sign((u + v) / 2, v))
+
+    def check_zeros(self):                         # true if the last one is before the end of the step
+        ends = self.places(self.problem.ends)
+        need(ends == sorted(ends), "the zeros are not in the order of the steps")
+        for k, (u, v) in enumerate(zip(ends, ends[1:] + ends[-1:])):
+            u, v = max(u, -ONE), min(v, ONE)
+            if u <= v:                             # signs alternate, those of the derivative at zeros too
+                s = (-1)**((k + 1) // 2) * (self.sure(1, u, v) if k % 2 else self.sign(u, v))
+                need(s and self.problem.sign in (0, s), "the sign of the condition in its interval %d" % (k + 1))
+                self.problem.sign = s
+        return ends[-1] <= 1
 
 def check(text):                                   # the proved statement; raises Refused
     r = Reader(text)
     problem = Problem(r)
-    n, time, claims = len(problem.right), problem.t0, problem.claims
-    state = ([(a + b) / 2 for a, b in problem.start], matrix(n, lambda i, j: ONE * (i == j)),
-             [range(i, i + 1) for i in range(n)],
-             [math.ceil((b - a) / 2 * two(problem.bits)) for a, b in problem.start])
+    n, time, claims, zeros = range(len(problem.right)), problem.t0, problem.claims, not problem.condition
+    state = ([(a + b) / 2 for a, b in problem.start], matrix(len(n), lambda i, j: ONE * (i == j)),
+             [range(i, i + 1) for i in n], [math.ceil((b - a) / 2 * two(problem.bits)) for a, b in problem.start])
     for number in range(1, problem.steps + 1):
         try:
             step = Step(r, problem, time)
             step.check(state)
             claims = [x for x in claims if not step.check_claim(x)]
+            zeros = zeros or step.check_zeros()
         except Refused as reason:
             raise Refused("step %d: %s" % (number, reason)) from None
         time, state = time + step.length, step.at(ONE)
     need(r.lines[r.at:] == ["end", ""], "the steps do not end with 'end'")
-    need(not claims, "no step contains the time of a claim")
+    need(zeros and not claims, "no step contains the time of a claim or a zero")
     return problem.statement()
 
-def main():
-    if len(sys.argv) != 2:
-        sys.exit("usage: python3 -I libration_check.py FILE")
+if __name__ == "__main__":
     try:
+        need(len(sys.argv) == 2, "usage: python3 -I libration_check.py FILE")
         print("Proved:\n" + check(zlib.decompress(open(sys.argv[1], "rb").read()).decode()))
     except Exception as reason:                        # Refused, or not a text of the format
-        print("Not proved: %s" % (reason if isinstance(reason, (Refused, OSError)) else "not a certificate, %r" % reason))
-        return 1
-    return 0
-
-if __name__ == "__main__":
-    sys.exit(main())
+        print("Not proved: %s" % (reason if isinstance(reason, (Refused, OSError)) else "no certificate, %r" % reason))
+        sys.exit(1)

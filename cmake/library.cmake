@@ -101,6 +101,7 @@ find_package(FLINT 2.9 QUIET)
 if(FLINT_FOUND)
     include(cmake/flint_self_test.cmake)
     find_package(Eigen3 3.3 REQUIRED NO_MODULE)
+    find_package(ZLIB REQUIRED)
     add_library(libration-proved STATIC ${proved_sources})
     add_library(libration::proved ALIAS libration-proved)
     add_library(libration::ball ALIAS libration-proved)
@@ -110,7 +111,7 @@ if(FLINT_FOUND)
         CXX_VISIBILITY_PRESET hidden)
     target_link_libraries(libration-proved
         PUBLIC libration FLINT::FLINT
-        PRIVATE $<BUILD_INTERFACE:Eigen3::Eigen> $<BUILD_INTERFACE:libration-warnings>)
+        PRIVATE ZLIB::ZLIB $<BUILD_INTERFACE:Eigen3::Eigen> $<BUILD_INTERFACE:libration-warnings>)
     target_compile_options(libration-proved PRIVATE ${switches_name_all})
     target_precompile_headers(libration-proved REUSE_FROM libration)
     target_sources(libration-proved PUBLIC

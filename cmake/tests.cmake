@@ -19,7 +19,11 @@ endif()
 target_link_libraries(libration-tests PRIVATE libration::ball Catch2::Catch2WithMain libration-warnings)
 # The C interface, linked as by a separate program.
 target_link_libraries(libration-tests PRIVATE libration-c)
-target_compile_definitions(libration-tests PRIVATE LIBRATION_SYMBOLS="${c_symbols}")
+# Certificates are checked by a program of its own.
+target_link_libraries(libration-tests PRIVATE ZLIB::ZLIB)
+target_compile_definitions(libration-tests PRIVATE
+    LIBRATION_SYMBOLS="${c_symbols}"
+    LIBRATION_CHECKER="${PROJECT_SOURCE_DIR}/check/libration_check.py")
 # Calls it while memory allocation fails, by replacing the allocator.
 if(NOT LIBRATION_SANITIZE)
     add_executable(libration-failing-memory ${PROJECT_SOURCE_DIR}/tests/c/failing_memory.cpp)
@@ -43,10 +47,8 @@ if(LIBRATION_BUILD_COMMAND)
     target_link_libraries(libration-tests PRIVATE libration-program libration-studies libration-claims libration-sweep)
     target_compile_definitions(libration-tests PRIVATE LIBRATION_COMMAND="$<TARGET_FILE:libration-command>")
     add_dependencies(libration-tests libration-command)
-    # The tables for C++ are compiled as by their users, and certificates are checked by a program of its own.
-    target_compile_definitions(libration-tests PRIVATE
-        LIBRATION_COMPILER="${CMAKE_CXX_COMPILER}"
-        LIBRATION_CHECKER="${PROJECT_SOURCE_DIR}/check/libration_check.py")
+    # The tables for C++ are compiled as by their users.
+    target_compile_definitions(libration-tests PRIVATE LIBRATION_COMPILER="${CMAKE_CXX_COMPILER}")
 endif()
 catch_discover_tests(libration-tests PROPERTIES TIMEOUT 600)
 

@@ -461,6 +461,30 @@ module libration
             integer(c_long), value :: digits
             type(c_ptr), intent(out) :: events
         end function
+        function libration_problem_certificate(problem, times, digits, path, watch, context, states) bind(c)
+            import :: c_ptr, c_char, c_long, c_funptr, c_int
+            integer(c_int) :: libration_problem_certificate
+            type(c_ptr), value :: problem
+            character(kind=c_char), intent(in) :: times(*)
+            integer(c_long), value :: digits
+            character(kind=c_char), intent(in) :: path(*)
+            type(c_funptr), value :: watch
+            type(c_ptr), value :: context
+            type(c_ptr), intent(out) :: states
+        end function
+        function libration_problem_event_certificate(problem, condition, count, digits, path, watch, context, events) &
+            bind(c)
+            import :: c_ptr, c_char, c_long, c_funptr, c_int
+            integer(c_int) :: libration_problem_event_certificate
+            type(c_ptr), value :: problem
+            character(kind=c_char), intent(in) :: condition(*)
+            integer(c_long), value :: count
+            integer(c_long), value :: digits
+            character(kind=c_char), intent(in) :: path(*)
+            type(c_funptr), value :: watch
+            type(c_ptr), value :: context
+            type(c_ptr), intent(out) :: events
+        end function
         function libration_problem_flow(problem, begin, solutions, starts, count, times, watch, context, values) bind(c)
             import :: c_ptr, c_size_t, c_double, c_int, c_funptr
             integer(c_int) :: libration_problem_flow

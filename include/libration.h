@@ -194,6 +194,15 @@ int libration_problem_limits(const libration_problem *problem, long digits, libr
  * many within 5000 steps each or before the solution ends. */
 int libration_problem_events(const libration_problem *problem, const char *condition, long count, long digits,
                              libration_table **events);
+/* The states at times that are fractions, proved, and in the file `path` a certificate, from which the program
+ * check/libration_check.py proves them again in integers; and the same for the first `count` events. UNDECIDED without a
+ * file if a value or an event is missing, or not proved by the steps of a certificate; ARGUMENT if the format does not
+ * contain the problem. The callback is called in proofs, also of the certificate, where the part begins at 0 again. */
+int libration_problem_certificate(const libration_problem *problem, const char *times, long digits, const char *path,
+                                  libration_watch watch, void *context, libration_table **states);
+int libration_problem_event_certificate(const libration_problem *problem, const char *condition, long count,
+                                        long digits, const char *path, libration_watch watch, void *context,
+                                        libration_table **events);
 /* The parameters or initial values `unknowns`, "k, f''(0)", for which as many conditions hold, "f'(5) = 1; f(5) = 2",
  * near the values that the problem has, proved: name, value. A condition at infinity, "f'(inf) = 1", is decided by a
  * lemma about a problem of the catalogue; UNDECIDED without one. The callback is called in integrations, with 0, since

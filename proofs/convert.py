@@ -82,6 +82,8 @@ def read_steps(r, problem):
 def convert(text, name):
     r = checker.Reader(text)
     problem = checker.Problem(r)
+    if problem.condition:
+        raise NotCovered("a condition, of which there are zeros")
     unit = lcm(1, *[c.denominator for f in problem.right for c in f.values()])
     items, ordered = read_steps(r, problem)
     statement = Statement(problem, unit, ordered, functions_of(problem, text) if len(problem.right) > len(problem.state) else [])

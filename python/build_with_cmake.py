@@ -67,6 +67,7 @@ def _staged():
         shutil.copy(_tree / "pyproject.toml", stack)
         ignored = shutil.ignore_patterns("__pycache__", "tests", "build_with_cmake.py", "bundle_libraries.py")
         shutil.copytree(_tree / "python", stack / "python", ignore=ignored)
+        shutil.copy(_tree / "check" / "libration_check.py", stack / "python" / "libration")
         try:
             os.chdir(stack)
             # Modules that CMake compiled make the wheel one of this platform too.

@@ -23,7 +23,10 @@ certificates() {
     "$build/libration" reference --problem pendulum --time 1 --digits 5 --certificate "$folder/pendulum.cert" &&
         "$build/libration" reference --problem "x' = -x; y' = 1000*x^2 - 1000*y; x(0) = 1; y(0) = 2" --time 1 \
             --digits 6 --certificate "$folder/stiff.cert" &&
-        "$python" "$tests/certificates/attack.py" --mutations 5000 "$folder/pendulum.cert" "$folder/stiff.cert"
+        "$build/libration" reference --problem "x'' = -x; x(0) = 0; x'(0) = 1" --until "x = 0" --count 2 --digits 6 \
+            --certificate "$folder/zeros.cert" &&
+        "$python" "$tests/certificates/attack.py" --mutations 5000 "$folder/pendulum.cert" "$folder/stiff.cert" \
+            "$folder/zeros.cert"
     status=$?
     rm -r "$folder"
     return "$status"

@@ -15,6 +15,7 @@ LibrationError: UndefinedError (ArgumentError, a ValueError, and RangeError), Un
 
 from . import _libration
 from .ball import Ball, ball
+from .certificates import check
 from .errors import ArgumentError, Fault, LibrationError, RangeError, UnableError, UndecidedError, UndefinedError
 from .ivp import OdeResult, OdeSolution, solve_ivp
 from .motions import Motion, Samples, motion
@@ -53,6 +54,7 @@ __all__ = [
     "Verdicts",
     "ball",
     "catalogue",
+    "check",
     "exact",
     "motion",
     "odefun",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import warnings
 from collections.abc import Callable, Mapping, Sequence
+from os import PathLike, fspath
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -129,18 +130,32 @@ class Problem:
         """The unknowns and their lower derivatives, x, x'."""
         return self._problem.names()
 
-    def reference(self, times: Any, digits: int = 50, rigour: str = "proved", exact: bool = True) -> Row | Table:
+    def reference(
+        self,
+        times: Any,
+        digits: int = 50,
+        rigour: str = "proved",
+        exact: bool = True,
+        certificate: str | PathLike[str] | None = None,
+    ) -> Row | Table:
         """The unknowns and their lower derivatives at one time, or at a list of times as a Table; with exact=False floats
         are the doubles that they are. Raises UndecidedError
         for a time that is not reached, which says up to where the solution is proved to exist, and for a value that is
         not distinguished from 0; its `partial` has what is proved of the others. ArgumentError for proofs from a
-        singular start whose right sides are no polynomials. Ctrl-C ends a proof."""
+        singular start whose right sides are no polynomials. Ctrl-C ends a proof.
+
+        certificate is the path of a file from which check() proves the values again, in integers; the times are then
+        fractions."""
         texts, alone = times_text(times, exact)
 
         def form(parts: Any) -> Row | Table:
             states = Table._of(parts)
             return states[0] if alone else states
 
+        if certificate is not None:
+            if rigour != "proved":
+                raise ValueError("a certificate is of proved values: leave out rigour")
+            return form(self._problem.certificate(texts, digits, fspath(certificate)))
         try:
             return form(self._problem.states(texts, digits, rigour_of(rigour)))
         except UndecidedError as problem:
@@ -172,9 +187,14 @@ class Problem:
         compared = Table._of(self._problem.verify(",".join(self.names), texts, values, "tolerance = 1"))
         return Table(["time", "condition"], list(zip(compared["time"], compared["condition"])))
 
-    def events(self, condition: str, count: int = 1, digits: int = 50) -> Table:
+    def events(
+        self, condition: str, count: int = 1, digits: int = 50, certificate: str | PathLike[str] | None = None
+    ) -> Table:
         """The first `count` times after the start at which a condition "x' = 1/2" holds, and the unknowns there, proved,
-        without omissions. Raises UndecidedError where there are not as many; its `partial` has the first ones."""
+        without omissions. Raises UndecidedError where there are not as many; its `partial` has the first ones.
+        certificate is the path of a file from which check() proves them again, and that there are no others."""
+        if certificate is not None:
+            return Table._of(self._problem.event_certificate(condition, count, digits, fspath(certificate)))
         try:
             return Table._of(self._problem.events(condition, count, digits))
         except UndecidedError as problem:

@@ -1,5 +1,6 @@
 """Equations against closed forms, and those of SymPy."""
 
+import zlib
 from fractions import Fraction
 
 import libration as lb
@@ -147,3 +148,23 @@ def test_keywords_may_use_each_other():
 def test_unused_parameters_are_warned_of():
     with pytest.warns(UserWarning, match="the parameter k is defined and used nowhere"):
         lb.problem("y' = y; y(0) = 1; k = 3")
+
+
+def test_certificates(tmp_path):
+    p = lb.problem("x' = a + x^2", x=0, a=1)
+    file = tmp_path / "a.cert"
+    state = p.reference("1/2", 15, certificate=file)
+    assert state["x"] == p.reference("1/2", 15)["x"]
+    assert "x(1/2) lies in [0.54630248984379" in lb.check(file)
+    zero = p.events("x = 1", digits=12, certificate=str(file))
+    assert near(zero["time"][0], mpmath.pi / 4, 12)
+    assert "#1 lies in [0.785398163397" in lb.check(str(file))
+    changed = zlib.decompress(file.read_bytes()).replace(b"start 0", b"start 1/9")
+    file.write_bytes(zlib.compress(changed))
+    with pytest.raises(lb.UndecidedError, match="start or joint"):
+        lb.check(file)
+    file.write_bytes(b"text")
+    with pytest.raises(lb.UndecidedError, match="is not a certificate"):
+        lb.check(file)
+    with pytest.raises(lb.ArgumentError, match="fractions"):
+        p.reference("pi/4", 15, certificate=file)

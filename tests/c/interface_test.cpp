@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "c/called.hpp"
+#include "certificates/checked.hpp"
+#include "command/temporary_folder.hpp"
 
 namespace c_interface_test {
 
@@ -216,6 +218,35 @@ TEST_CASE("derivatives and events are those of a spring", "[c]") {
         made<table>([&](auto** to) { return libration_problem_events(spring.get(), "x = 0", 2, 20, to); });
     CHECK(agrees(cell(zeros, 1, 0), "2.3561944901923449288", 20));  // 3 pi/4
     CHECK(libration_problem_events(spring.get(), "x = 0", 0, 20, &none) == LIBRATION_ARGUMENT);
+}
+
+TEST_CASE("a certificate of proved values is checked by another program", "[c][certificate]") {
+    const libration::tests::temporary_folder folder;
+    const std::string file = (folder.path() / "a.cert").string();
+    const auto spring = problem_of("x'' = -x; x(0) = 1/2; x'(0) = 0");
+    const auto states = made<table>([&](auto** to) {
+        return libration_problem_certificate(spring.get(), "1, 1/2", 15, file.c_str(), nullptr, nullptr, to);
+    });
+    const auto same = made<table>([&](auto** to) {
+        return libration_problem_states(spring.get(), "1, 1/2", 15, LIBRATION_PROVED, nullptr, nullptr, to);
+    });
+    CHECK(cell(states, 1, 2) == cell(same, 1, 2));
+    const auto proved = libration::tests::checked(file);
+    INFO(proved.out);
+    CHECK(proved.exit_code == 0);
+    CHECK(libration::tests::contains(proved.out, "x'(1/2) lies in [-0.23971276930"));  // -sin(1/2)/2
+    made<table>([&](auto** to) {
+        return libration_problem_event_certificate(spring.get(), "x = 0", 1, 15, file.c_str(), nullptr, nullptr, to);
+    });
+    CHECK(libration::tests::contains(libration::tests::checked(file).out, "#1 lies in [1.5707963267948966192"));
+    libration_table* none = nullptr;
+    CHECK(libration_problem_certificate(spring.get(), "pi/3", 15, file.c_str(), nullptr, nullptr, &none) ==
+          LIBRATION_ARGUMENT);
+    CHECK(libration_error_subject() == std::string("certificate"));
+    CHECK(libration_problem_certificate(spring.get(), "1", 15, "/missing/a.cert", nullptr, nullptr, &none) ==
+          LIBRATION_ARGUMENT);
+    CHECK(libration_error_subject() == std::string("path"));
+    CHECK(none == nullptr);
 }
 
 // x' = 1 + x^2: the tangent, from any start, up to its pole. Doubles: some operations per step, few steps.

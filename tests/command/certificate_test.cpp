@@ -1,11 +1,10 @@
 // reference --certificate: check/libration_check.py, a program in integers for Python's standard library, proves the
 // printed values from the file, and refuses it if a digit is changed.
-#include <sys/wait.h>
-
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <string>
 
+#include "certificates/checked.hpp"
 #include "command/refusal.hpp"
 #include "libration/ode/rigorous/certificate/certificate.hpp"
 
@@ -14,32 +13,13 @@ namespace command_certificate_test {
 using namespace libration;
 using namespace libration::tests;
 
-namespace {
-
-struct checked_file {
-    int exit_code;
-    std::string out;
-};
-
-checked_file checked(const temporary_folder& folder, const std::string& name) {
-    const std::string out = (folder.path() / "out").string();
-    const std::string line =
-        std::string("python3 -I " LIBRATION_CHECKER " ") + (folder.path() / name).string() + " > " + out;
-    const int status = std::system(line.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of_file(out)};
-}
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-}  // namespace
-
 TEST_CASE("the values of a certificate are proved by the checker", "[command][reference][certificate]") {
     const temporary_folder folder;
     const words certified{"--certificate", "a.cert"};
     const auto lorenz = run_libration(
         words{"reference", "--problem", "lorenz", "--time", "1/4,1/2", "--digits", "8"} + certified, folder.path());
     CHECK(lorenz.exit_code == 0);
-    const auto proved = checked(folder, "a.cert");
+    const auto proved = checked(folder.path() / "a.cert");
     INFO(proved.out);
     CHECK(proved.exit_code == 0);
     CHECK(contains(proved.out, "exists on [0, 1/2]"));
@@ -53,7 +33,7 @@ TEST_CASE("the values of a certificate are proved by the checker", "[command][re
         words{"reference", "--problem", mixed, "--time", "3/10", "--digits", "8"} + certified, folder.path());
     INFO(done.err);
     REQUIRE(done.exit_code == 0);
-    const auto also = checked(folder, "a.cert");
+    const auto also = checked(folder.path() / "a.cert");
     INFO(also.out);
     CHECK(also.exit_code == 0);
 }
@@ -64,15 +44,57 @@ TEST_CASE("a changed certificate is refused by the checker", "[command][referenc
         {"reference", "--problem", "y' = y; y(0) = 1", "--time=-1/2", "--digits", "6", "--certificate", "a.cert"},
         folder.path());
     REQUIRE(done.exit_code == 0);
-    CHECK(checked(folder, "a.cert").exit_code == 0);
+    CHECK(checked(folder.path() / "a.cert").exit_code == 0);
     const std::string edit =
         "import zlib, sys; f = sys.argv[1]; t = zlib.decompress(open(f, 'rb').read()); "
         "open(f, 'wb').write(zlib.compress(t.replace(b'start 1', b'start 2')))";
     const std::string line = "python3 -c \"" + edit + "\" " + (folder.path() / "a.cert").string();
     REQUIRE(std::system(line.c_str()) == 0);
-    const auto refused = checked(folder, "a.cert");
+    const auto refused = checked(folder.path() / "a.cert");
     CHECK(refused.exit_code == 1);
     CHECK(contains(refused.out, "Not proved: step 1: start or joint: radius of block 1"));
+}
+
+// x = sin t has its zeros at pi and 2 pi: the one at the initial point does not count.
+TEST_CASE("the events of a certificate are all that there are", "[command][reference][certificate]") {
+    const temporary_folder folder;
+    const auto done = run_libration({"reference", "--problem", "x'' = -x; x(0) = 0; x'(0) = 1", "--until", "x = 0",
+                                     "--count", "2", "--digits", "10", "--certificate", "a.cert"},
+                                    folder.path());
+    REQUIRE(done.exit_code == 0);
+    const auto proved = checked(folder.path() / "a.cert");
+    INFO(proved.out);
+    CHECK(proved.exit_code == 0);
+    CHECK(contains(proved.out, "x = 0 from 0, excluded, to 6.283185307"));
+    CHECK(contains(proved.out, "only at #1, #2"));
+    CHECK(contains(proved.out, "#1 lies in [3.14159265"));
+    CHECK(contains(proved.out, "x'(#2) lies in [0.99999999"));
+    // Those that rise are every second one; the others are listed, or the checker would not see that they are no more.
+    const auto rising = run_libration({"reference", "--problem", "x'' = -x; x(0) = 0; x'(0) = 1", "--until", "x = 0",
+                                       "--crossing", "up", "--digits", "6", "--certificate", "a.cert"},
+                                      folder.path());
+    REQUIRE(rising.exit_code == 0);
+    const auto second = checked(folder.path() / "a.cert");
+    CHECK(second.exit_code == 0);
+    CHECK(contains(second.out, "x'(#2) lies in [0.9999"));
+    CHECK_FALSE(contains(second.out, "x'(#1)"));
+}
+
+TEST_CASE("a certificate without one of its events is refused by the checker", "[command][reference][certificate]") {
+    const temporary_folder folder;
+    const auto done = run_libration({"reference", "--problem", "y' = 2 - t - y/9; y(0) = -1", "--until", "y*t = 1/2",
+                                     "--count", "2", "--digits", "6", "--certificate", "a.cert"},
+                                    folder.path());
+    REQUIRE(done.exit_code == 0);
+    CHECK(checked(folder.path() / "a.cert").exit_code == 0);
+    const std::string edit =
+        "import zlib, sys, re; f = sys.argv[1]; t = zlib.decompress(open(f, 'rb').read()).decode(); "
+        "t = re.sub('\nclaim #2.*|\nzero.*(?=\nzero)', '', t); open(f, 'wb').write(zlib.compress(t.encode()))";
+    const std::string line = "python3 -c \"" + edit + "\" " + (folder.path() / "a.cert").string();
+    REQUIRE(std::system(line.c_str()) == 0);
+    const auto refused = checked(folder.path() / "a.cert");
+    CHECK(refused.exit_code == 1);
+    CHECK(contains(refused.out, "the sign of the condition in its interval 1"));
 }
 
 TEST_CASE("problems without a certificate are refused", "[command][reference][certificate]") {
@@ -82,7 +104,12 @@ TEST_CASE("problems without a certificate are refused", "[command][reference][ce
                   {"--certificate 'missing/a.cert'", "does not exist"}, folder);
     check_refused(words{"reference", "--energy", "1", "--time", "1"} + certified, {"--certificate", "--problem"},
                   folder);
-    check_refused(words{"reference", "--problem", "lorenz", "--until", "x = 0"} + certified, {"--until"}, folder);
+    check_refused(words{"reference", "--problem", "lorenz", "--until", "x = 0", "--from-start"} + certified,
+                  {"--certificate", "--from-start"}, folder);
+    const auto irrational = run_libration(
+        words{"reference", "--problem", "y' = 1; y(0) = 0", "--until", "y = pi"} + certified, folder.path());
+    CHECK(irrational.exit_code == 2);
+    CHECK(contains(irrational.err, "contains only fractions as constants"));
 }
 
 TEST_CASE("the interval of a decimal is one unit of its last digit on each side", "[certificate]") {

@@ -4,20 +4,20 @@
 #include <string>
 #include <vector>
 
-#include "libration/ode/explicit_system.hpp"
-#include "libration/problem/answer.hpp"
-#include "libration/scalar/exact.hpp"
+#include "libration/ode/proved/proved_events.hpp"
+#include "libration/problem/certificate.hpp"
 #include "text/table.hpp"
 
 namespace libration {
 
-/// The compressed certificate that each value of a table of states, a row per time, differs from the exact one by less
-/// than one unit of its last digit. Throws input_error for a problem or a time that the format does not contain, and
-/// error of the kind undecided if the values are not proved by collocation.
-std::string certificate_of_states(const std::string& path, const ode::explicit_system& system,
-                                  const std::vector<exact>& times, const table& states, const request& how);
+/// Writes the certificate of a table of states, a row per time. Throws input_error that names the option for a problem
+/// or a time that the format does not contain, and for a file that cannot be written; error of the kind undecided if the
+/// values are not proved by collocation.
+void certify_states(const std::string& path, const ode::explicit_system& system, const std::vector<exact>& times,
+                    const table& states, const request& how);
 
-/// Writes it to a file. Throws input_error.
-void write_certificate(const std::string& path, const std::string& content);
+/// The same of the events found for a request, a row each.
+void certify_events(const std::string& path, const ode::explicit_system& system, const ode::event_request& request,
+                    const table& events, const libration::request& how);
 
 }  // namespace libration

@@ -94,6 +94,16 @@ std::string references_part(const std::vector<published_reference>& references) 
     return text;
 }
 
+// Certificates are made by check/certify.py, in a folder that this program does not write.
+std::string certified_part(const std::string& folder) {
+    if (!std::filesystem::exists(std::filesystem::path(folder) / "certified" / "README.md")) {
+        return "";
+    }
+    return "\n## Certificates\n\n"
+           "Values of the test problems, each with a file from which a program in integers proves it again:\n"
+           "[certified](certified/README.md), checked by `./run check`.\n";
+}
+
 const published_claim& claim_named(const std::vector<published_claim>& claims, const std::string& name) {
     const auto found = std::ranges::find(claims, name, &published_claim::name);
     if (found == claims.end()) {
@@ -118,7 +128,7 @@ std::string results_readme(const published& results) {
            "figures, as "
            "one page.\n\n" +
            (results.claims.empty() ? "" : claims_part(results.claims)) + studies_part(results.studies) +
-           (results.references.empty() ? "" : references_part(results.references));
+           (results.references.empty() ? "" : references_part(results.references)) + certified_part(results.folder);
 }
 
 std::string errata_page(const published& results, const std::string& outline) {

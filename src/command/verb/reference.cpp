@@ -185,16 +185,30 @@ void refuse_motions(const reference_options& options) {
     }
 }
 
-// Throws for options of an integration to given times, such as --trace and --certificate, if there is none.
+// Throws for options of an integration to given times, such as --trace, if there is none.
 void require_no_integration(const reference_options& options, const std::string& reason) {
     options.integrator.require_absent(reason);
     options.derivatives.require_absent(reason);
     if (options.trace) {
         throw input_error("--trace", *options.trace, reason, "leave it out");
     }
+}
+
+void require_no_certificate(const reference_options& options, const std::string& reason) {
     if (options.certificate) {
         throw input_error("--certificate", *options.certificate, reason, "leave it out");
     }
+}
+
+// Calls write(request) with the progress of a certificate, after the values themselves, which do not depend on it.
+template <class Write>
+void certify(long digits, const Write& write) {
+    progress shown("certificate", progress_of_part::steps);
+    progress_of_part to(shown);
+    write(request{.scalar = {scalar_kind::proved, digits},
+                  .progress = [&](double part) { to(part); },
+                  .reached = [&](double time, long bits) { to.reached(time, bits); }});
+    to(1);
 }
 
 // The times at which a condition holds.
@@ -207,6 +221,9 @@ int write_events(const reference_options& options, long digits) {
     }
     const auto system = options.problem.choose();
     const auto request = options.events.request(options.problem, system);
+    if (request.from_start) {
+        require_no_certificate(options, "contains the times after the initial point, and not that of --from-start");
+    }
     const auto figure = options.plot.file(options.output);
     if (figure) {
         options.plot.require_known(columns_of_states(system));
@@ -224,6 +241,10 @@ int write_events(const reference_options& options, long digits) {
     if (found.missing) {
         throw error(*found.missing);
     }
+    if (options.certificate) {
+        certify(digits,
+                [&](const auto& how) { certify_events(*options.certificate, system, request, found.data, how); });
+    }
     return 0;
 }
 
@@ -240,6 +261,7 @@ asked_solution problem_of_options(const reference_options& options, std::unique_
         return {std::move(of), times_of_problem(*options.times), *options.times};
     }
     require_no_integration(options, "has no meaning for --time inf, which is proved by a lemma");
+    require_no_certificate(options, "does not contain --time inf, which is proved by a lemma");
     if (options.check) {
         throw input_error("--check compares two proofs, and --time inf has only one, by a closed form: leave it out");
     }
@@ -261,19 +283,6 @@ std::vector<asked_solution> asked_by(const reference_options& options, const std
         asked.push_back(motion_of_options(options, digits));
     }
     return asked;
-}
-
-// After the values themselves, which do not depend on it.
-void certify(const reference_options& options, const asked_solution& asked, const table& states, long digits) {
-    progress shown("certificate", progress_of_part::steps);
-    progress_of_part to(shown);
-    const request how{.scalar = {scalar_kind::proved, digits},
-                      .progress = [&](double part) { to(part); },
-                      .reached = [&](double time, long bits) { to.reached(time, bits); }};
-    const std::string content =
-        certificate_of_states(*options.certificate, options.problem.choose(), asked.times, states, how);
-    write_certificate(*options.certificate, content);
-    to(1);
 }
 
 // On all cores if there are several solutions.
@@ -312,6 +321,7 @@ int run_reference(const reference_options& options) {
     options.integrator.choice();
     if (!options.problem.is_chosen()) {
         require_no_integration(options, "has no meaning without --problem");
+        require_no_certificate(options, "has no meaning without --problem");
     }
     if (options.events.given(options.problem)) {
         return write_events(options, digits);
@@ -342,7 +352,9 @@ int run_reference(const reference_options& options) {
     options.integrator.state(found.collocation);
     require_complete(found);
     if (options.certificate) {
-        certify(options, asked.front(), found.rows, digits);
+        certify(digits, [&](const request& how) {
+            certify_states(*options.certificate, options.problem.choose(), asked.front().times, found.rows, how);
+        });
     }
     return 0;
 }

@@ -219,6 +219,20 @@ void define_problems(py::module_& m) {
         return known_table(
             [&](auto** to) { return libration_problem_events(of.handle.get(), condition.c_str(), count, digits, to); });
     });
+    problem.def("certificate",
+                [](const problem_object& of, const std::string& times, long digits, const std::string& path) {
+                    return table([&](auto** to) {
+                        return libration_problem_certificate(of.handle.get(), times.c_str(), digits, path.c_str(),
+                                                             watch_signals, nullptr, to);
+                    });
+                });
+    problem.def("event_certificate", [](const problem_object& of, const std::string& condition, long count, long digits,
+                                        const std::string& path) {
+        return table([&](auto** to) {
+            return libration_problem_event_certificate(of.handle.get(), condition.c_str(), count, digits, path.c_str(),
+                                                       watch_signals, nullptr, to);
+        });
+    });
     problem.def("find",
                 [](const problem_object& of, const std::string& unknowns, const std::string& conditions, long digits) {
                     return table([&](auto** to) {

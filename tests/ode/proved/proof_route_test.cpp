@@ -4,7 +4,10 @@
 
 #include <catch2/catch.hpp>
 #include <string>
+#include <vector>
 
+#include "certificates/checked.hpp"
+#include "command/temporary_folder.hpp"
 #include "libration/digits/proved/two_proofs.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/ode/proved/problem_coefficients.hpp"
@@ -12,6 +15,7 @@
 #include "libration/ode/proved/proved_root.hpp"
 #include "libration/ode/proved/proved_singularity.hpp"
 #include "libration/ode/proved/proved_trajectory.hpp"
+#include "libration/ode/rigorous/certificate/certificate.hpp"
 #include "libration/scalar/ball/polynomial.hpp"
 #include "libration/scalar/exact.hpp"
 
@@ -100,6 +104,42 @@ TEST_CASE("a second proof sees a wrong product of the first", "[proof_route]") {
     const unguarded_product unguarded;
     const auto perhaps = value_by(system, time, digits, {0, 8, &unguarded});
     CHECK(enclosures_meet(perhaps, second) == holds(perhaps, truth_of_all_ones()));
+}
+
+// With 197 digits FLINT's product is wrong from about the 118th on, up to FLINT 3.6; the other one always is.
+TEST_CASE("the digits of a wrong product have no certificate", "[proof_route][certificate]") {
+    const explicit_system system = system_of(all_ones);
+    const rational time(1, 16);
+    const long digits = 197;
+    const long certified_digits = 121;
+    const auto first_digits = [&](const proof_route& route) {
+        const std::string all = value_by(system, number(time), digits, route).text;  // -0.0666...
+        return within_one_unit(all.substr(0, static_cast<std::size_t>(certified_digits) + 4), certified_digits);
+    };
+    const decimal_interval right = first_digits({});
+    const std::string text = certificate_of(system, {{{time, 0, right}}}, certified_digits);
+    const tests::temporary_folder folder;
+    const auto checked_with = [&](const decimal_interval& claim) {
+        std::string changed = text;
+        const std::string before = right.lower + " " + right.upper;
+        changed.replace(changed.find(before), before.size(), claim.lower + " " + claim.upper);
+        return tests::checked_text(changed, folder.path() / "a.cert");
+    };
+    REQUIRE(checked_with(right).exit_code == 0);
+    const rational truth = truth_of_all_ones();
+    const unguarded_product unguarded;
+    const wrong_product wrong;
+    for (const series::block_product<ball>* const product :
+         {static_cast<const series::block_product<ball>*>(&unguarded),
+          static_cast<const series::block_product<ball>*>(&wrong)}) {
+        const decimal_interval perhaps = first_digits({0, 8, product});
+        const bool true_digits = perhaps.low < truth && truth < perhaps.high;
+        const auto checked = checked_with(perhaps);
+        INFO(perhaps.lower << "\n" << checked.out);
+        CHECK((checked.exit_code == 0) == true_digits);
+        CHECK((true_digits || tests::contains(checked.out, "the value of y at 1/16 is not proved")));
+        CHECK((product == &unguarded || !true_digits));
+    }
 }
 
 TEST_CASE("a second proof of coefficients sees a wrong product of the first", "[proof_route]") {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,11 +20,26 @@ struct decimal_interval {
 /// The numbers within one unit of the last digit of a decimal; of "0" those within 10^-digits.
 decimal_interval within_one_unit(const std::string& decimal, long digits);
 
-/// The value of an unknown or a lower derivative, by its index in names_of_state().
+/// The times after the initial point at which a condition, in the unknowns, their lower derivatives and the variable, is
+/// 0: all of them up to the last, in the order in which they are reached, each the only one in its interval.
+struct certified_zeros {
+    expression condition;
+    std::vector<decimal_interval> times;
+};
+
+/// The value of an unknown or a lower derivative, by its index in names_of_state(), at a time, or at a zero of the
+/// condition, by its index.
 struct claimed_value {
     rational time;
     std::size_t place = 0;
     decimal_interval in;
+    std::optional<std::size_t> zero = {};
+};
+
+/// What a certificate proves: values at times, or at all zeros of a condition up to the last that is listed.
+struct certified_statement {
+    std::vector<claimed_value> values;
+    std::optional<certified_zeros> zeros = {};
 };
 
 /// The text of a certificate: the equations as typed, the definitions of the unknowns added by the polynomial form, and
@@ -33,9 +49,9 @@ struct claimed_value {
 ///
 /// Throws error of the subject "certificate": of the kind argument if the format does not contain the problem (numbers
 /// that are not fractions, functions except exp, log, sin, cos and powers, singular initial points, times on both sides
-/// of the initial point); of the kind undecided if no step is proved at some time, or the values are not proved within
-/// the limits.
-std::string certificate_of(const explicit_system& system, const std::vector<claimed_value>& values, long digits,
+/// of the initial point, a condition that holds at an initial point that is not given by fractions); of the kind
+/// undecided if no step is proved at some time, or the statement is not proved within the limits.
+std::string certificate_of(const explicit_system& system, const certified_statement& statement, long digits,
                            const std::function<void(const ball& reached, long bits)>& watch = {});
 
 }  // namespace libration::ode

@@ -129,7 +129,32 @@ std::string start_text(const number& value, const std::string& name) {
 
 }  // namespace
 
-std::string problem_of_certificate(const explicit_system& system, const lifted_system& form) {
+bool holds_at_start(const explicit_system& system, const expression& condition) {
+    bool exact = true;
+    const expression at_start = replaced(condition, [&](const expression& leaf) -> std::optional<expression> {
+        if (leaf.kind() == node_kind::variable) {
+            return expression(system.point());
+        }
+        const std::size_t i = places_of(system.unknowns()).at(leaf.name());
+        const number& value = system.starts()[i][static_cast<std::size_t>(leaf.derivative())];
+        exact = exact && value.fraction().has_value();
+        return expression(value);
+    });
+    node_values<bool> seen;
+    seen.of(condition, [&](const expression& e) {
+        const auto exponent = e.kind() == node_kind::power ? e.right().fraction() : rational(1);
+        exact = exact && e.kind() != node_kind::function && exponent && denominator(*exponent) == 1;
+        return true;
+    });
+    if (at_start.is(0) && !exact) {
+        refuse_problem("contains conditions that hold at the initial point if its values are fractions there",
+                       "choose another initial point");
+    }
+    return at_start.is(0);
+}
+
+std::string problem_of_certificate(const explicit_system& system, const lifted_system& form,
+                                   const std::optional<certified_zeros>& zeros) {
     const auto point = system.point().fraction();
     if (!point) {
         refuse_problem("contains a fraction as initial time, and this one is another number",
@@ -160,7 +185,7 @@ std::string problem_of_certificate(const explicit_system& system, const lifted_s
     for (std::size_t k = 0; k < form.added.size(); ++k) {
         text += "define _" + std::to_string(k + 1) + " = " + in_form.of(form.added[k]) + "\n";
     }
-    return text;
+    return zeros ? text + "condition " + in_state.of(zeros->condition) + "\n" : text;
 }
 
 }  // namespace libration::ode

@@ -1,14 +1,20 @@
 // The head of a certificate: equations, initial values and the unknowns that the polynomial form adds, as text.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "libration/ode/lifted_system.hpp"
+#include "libration/ode/rigorous/certificate/certificate.hpp"
 
 namespace libration::ode {
 
-/// The lines `variable`, `at`, `equation`, `start` and `define` of a certificate. Throws error of the kind argument and
-/// the subject "certificate" if the format does not contain the problem.
-std::string problem_of_certificate(const explicit_system& system, const lifted_system& form);
+/// The lines `variable`, `at`, `equation`, `start`, `define` and `condition` of a certificate. Throws error of the kind
+/// argument and the subject "certificate" if the format does not contain the problem.
+std::string problem_of_certificate(const explicit_system& system, const lifted_system& form,
+                                   const std::optional<certified_zeros>& zeros);
+
+/// Whether the condition holds at the initial point. Throws the same error if the program that checks does not see it.
+bool holds_at_start(const explicit_system& system, const expression& condition);
 
 }  // namespace libration::ode

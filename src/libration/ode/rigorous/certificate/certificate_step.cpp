@@ -166,7 +166,8 @@ struct step_rounding::attempt {
         return by.tube(candidate, start, supremum_rule::coefficients);
     }
 
-    // The least number of bits, from a guess on in steps of `grain`, for which `try_bits` keeps the width.
+    // The least number of bits, to within `grain`, for which `try_bits` keeps the width; `most` if none does. From a
+    // guess on by steps that are doubled, then by halves.
     template <class Try>
     long least_bits(long guess, long most, long loss, const std::vector<magnitude>& reference, const Try& try_bits) {
         const auto keeps = [&](long bits) {
@@ -175,14 +176,23 @@ struct step_rounding::attempt {
             return keeps_width(by.tube(candidate, start, supremum_rule::coefficients), reference, loss, negligible);
         };
         long bits = std::min(guess, most);
+        long too_few = 0;
+        long stride = grain;
         if (keeps(bits)) {
-            while (bits > grain && keeps(bits - grain)) {
-                bits -= grain;
+            for (; bits > stride && keeps(bits - stride); stride *= 2) {
+                bits -= stride;
             }
-            return bits;
+            too_few = std::max(bits - stride, 0L);
+        } else {
+            for (bool enough = false; !enough && bits < most; stride *= 2) {
+                too_few = bits;
+                bits = std::min(bits + stride, most);
+                enough = keeps(bits);
+            }
         }
-        while (bits < most && !keeps(bits)) {
-            bits += grain;
+        while (bits - too_few > grain) {
+            const long middle = (bits + too_few) / 2;
+            (keeps(middle) ? bits : too_few) = middle;
         }
         return bits;
     }

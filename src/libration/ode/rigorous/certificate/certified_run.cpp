@@ -1,0 +1,124 @@
+#include "certified_run.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "../lifted_set.hpp"
+#include "certificate_text.hpp"
+#include "libration/ode/ball/step_pieces.hpp"
+#include "libration/scalar/ball/predicates.hpp"
+
+namespace libration::ode {
+
+namespace {
+
+constexpr long guard_of_rounding = 8;
+// The bounds of the program that checks are integers times 2^-S; S has so many bits more than the polynomials.
+constexpr long more_bits_of_bounds = 64;
+constexpr double digits_below_width = 4;
+
+}  // namespace
+
+certified_run::certified_run(const explicit_system& system, const lifted_system& form, const run_choice& choice)
+    : form_(form),
+      integrator_(form, choice.bits, 0, {choice.slowest_fast, digits_below_width}),
+      map_(form),
+      rounding_(choice.bits - guard_of_rounding, integrator_.bits() + more_bits_of_bounds),
+      begin_(*system.point().fraction()) {
+    bits_ = integrator_.bits() + 2L * integrator_.degree() + more_bits_of_bounds;
+    if (choice.rounds) {
+        integrator_.prove_by([this](tube_proof& by, const tube_candidate& found, const tube_set& start) {
+            return tube_ = rounding_.tube(by, found, start);
+        });
+    } else if (choice.keeps_tubes) {
+        integrator_.prove_by([this](tube_proof& by, const tube_candidate& found, const tube_set& start) {
+            return tube_ = by.tube(found, start, supremum_rule::coefficients);
+        });
+    }
+    const precision_scope scope(decimal_digits(bits_));
+    time_ = constant_value<ball>::of(system.point());
+    std::vector<magnitude> radii;
+    for (const auto& values : system.starts()) {
+        for (const number& each : values) {
+            const ball value = constant_value<ball>::of(each);
+            given_.centre.push_back(midpoint_alone(value));
+            radii.push_back(magnitude::radius_of(value));
+        }
+    }
+    given_.errors = error_set(std::move(radii));
+    given_.slow = given_.centre.size();
+}
+
+long certified_run::bits_of_bounds() const { return bits_ + more_bits_of_bounds; }
+
+bool certified_run::begin(const rational& farthest) {
+    const precision_scope scope(decimal_digits(bits_));
+    auto set = lifted_set(form_, time_, given_);
+    if (!set) {
+        return false;
+    }
+    // The checker encloses the initial values in a box of about this size.
+    std::vector<magnitude> added = set->errors.added();
+    for (magnitude& each : added) {
+        each += magnitude::of(1, 3 - bits_of_bounds());
+    }
+    set->errors = error_set(set->errors.columns(), set->errors.blocks(), set->errors.radii(), std::move(added));
+    const ball rest = from_rational<ball>(farthest) - time_;
+    integrator_.begin(time_, *set, first_length(set->centre, rest));
+    return prepare();
+}
+
+bool certified_run::advance(const certificate_watch& watch) {
+    const precision_scope scope(decimal_digits(bits_));
+    begin_ += fraction_of(integrator_.length());
+    integrator_.step();
+    if (watch) {
+        watch(integrator_.reached(), bits());
+    }
+    return prepare();
+}
+
+std::optional<std::vector<ball>> certified_run::at(const rational& time, const certificate_watch& watch) {
+    const precision_scope scope(decimal_digits(bits_));
+    for (;;) {
+        const ball rest = from_rational<ball>(time) - integrator_.reached();
+        if (certainly_less(abs(rest), abs(integrator_.length())) || arb_is_zero(rest.handle()) != 0) {
+            return integrator_.values_at(rest);
+        }
+        if (!advance(watch)) {
+            return std::nullopt;
+        }
+    }
+}
+
+bool certified_run::prepare() {
+    if (!integrator_.prepare()) {
+        return false;
+    }
+    if (rounding_.step()) {
+        text_ += text_of(*rounding_.step());
+        ++steps_;
+    }
+    return true;
+}
+
+// The reciprocal of the largest derivative of f, at most the whole way; no proof depends on it.
+ball certified_run::first_length(const std::vector<ball>& state, const ball& rest) const {
+    std::vector<ball> constants;
+    for (const number& each : map_.constants()) {
+        constants.push_back(constant_value<ball>::of(each));
+    }
+    magnitude rate;
+    for (const ball& each : map_.in(number_ring<ball>{constants, time_}, state, true).entries) {
+        rate = std::max(rate, magnitude(each));
+    }
+    const bool backwards = arb_is_negative(rest.handle()) != 0;
+    const ball whole = midpoint_alone(rest);
+    if (rate.is_zero() || !rate.is_finite() || magnitude(whole) <= magnitude(1U) / rate) {
+        return arb_is_zero(whole.handle()) != 0 ? ball(1) : whole;
+    }
+    const ball length = (magnitude(1U) / rate).exact();
+    return backwards ? -length : length;
+}
+
+}  // namespace libration::ode

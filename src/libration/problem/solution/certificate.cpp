@@ -1,0 +1,121 @@
+#include "libration/problem/certificate.hpp"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "libration/ode/proved/proved_events.hpp"
+#include "libration/ode/rigorous/certificate/certificate.hpp"
+#include "libration/scalar/ball/predicates.hpp"
+
+namespace libration {
+
+namespace {
+
+// More zeros than those of the requested direction are not listed.
+constexpr long most_zeros = 100'000;
+
+std::string compressed(const std::string& text) {
+    uLongf size = compressBound(text.size());
+    std::string result(size, '\0');
+    if (compress2(reinterpret_cast<Bytef*>(result.data()), &size, reinterpret_cast<const Bytef*>(text.data()),
+                  text.size(), Z_BEST_COMPRESSION) != Z_OK) {
+        throw std::runtime_error("zlib does not compress a text in memory");
+    }
+    result.resize(size);
+    return result;
+}
+
+rational fraction_of(const exact& time) {
+    const auto q = time.has_periods() ? std::nullopt : as_expression(time).fraction();
+    if (!q) {
+        throw error(error_kind::argument, "certificate", "",
+                    "is for times that are fractions, and " + time.text + " is not one: choose fractions as times");
+    }
+    return *q;
+}
+
+rational middle_of(const ode::decimal_interval& of) { return (of.low + of.high) / 2; }
+
+// The text with the progress of the run that is going on, to the time that is farthest.
+std::string text_of(const ode::explicit_system& system, const ode::certified_statement& statement,
+                    const rational& farthest, const request& how) {
+    const auto whole = farthest.convert_to<double>();
+    return ode::certificate_of(system, statement, how.printed_digits(), [&](const ball& reached, long bits) {
+        const double time = midpoint_of(reached).convert_to<double>();
+        if (how.reached) {
+            how.reached(time, bits);
+        }
+        if (how.progress) {
+            how.progress(whole == 0 ? 0 : std::clamp(time / whole, 0.0, 1.0));
+        }
+    });
+}
+
+// All zeros after the initial point up to the last of the given ones, to as many digits.
+std::vector<ode::decimal_interval> all_zeros(const ode::explicit_system& system, const ode::expression& g,
+                                             const ode::decimal_interval& last, long digits, const request& how) {
+    ode::event_request all{.g = g, .count = most_zeros};
+    const bool backwards = (ode::number(middle_of(last)) - system.point()).sign() < 0;
+    all.before = ode::number(backwards ? last.low : last.high);
+    all.direction = backwards ? -1 : 1;
+    const auto report = ode::searched_events(system, all, digits, {}, [&](const ball& reached, long bits, const auto&) {
+        if (how.reached) {
+            how.reached(midpoint_of(reached).convert_to<double>(), bits);
+        }
+    });
+    std::vector<ode::decimal_interval> zeros;
+    for (const ode::printed_event& each : report.events) {
+        zeros.push_back(ode::within_one_unit(each.time.text, digits));
+    }
+    return zeros;
+}
+
+// The index of the zero that is printed like this.
+std::size_t place_of(const std::vector<ode::decimal_interval>& zeros, const ode::decimal_interval& printed) {
+    const auto found = std::ranges::find_if(
+        zeros, [&](const ode::decimal_interval& each) { return each.low <= printed.high && printed.low <= each.high; });
+    if (found == zeros.end()) {
+        throw error(error_kind::undecided, "certificate", printed.lower,
+                    "is near an event that a second search does not find: ask for more digits");
+    }
+    return static_cast<std::size_t>(found - zeros.begin());
+}
+
+}  // namespace
+
+std::string certificate_of_states(const ode::explicit_system& system, const std::vector<exact>& times,
+                                  const printed_rows& states, const request& how) {
+    ode::certified_statement statement;
+    rational farthest;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        const rational time = fraction_of(times[i]);
+        farthest = abs(time) > abs(farthest) ? time : farthest;
+        for (std::size_t place = 0; place < states.of[i].size(); ++place) {
+            statement.values.push_back({time, place, ode::within_one_unit(states.of[i][place], states.digits)});
+        }
+    }
+    return compressed(text_of(system, statement, farthest, how));
+}
+
+std::string certificate_of_events(const ode::explicit_system& system, const ode::expression& g, ode::crossing way,
+                                  const printed_rows& events, const request& how) {
+    std::vector<ode::decimal_interval> times;
+    for (const auto& row : events.of) {
+        times.push_back(ode::within_one_unit(row.front(), events.digits));
+    }
+    ode::certified_statement statement;
+    statement.zeros = {g, way == ode::crossing::any ? times : all_zeros(system, g, times.back(), events.digits, how)};
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        const std::size_t zero = place_of(statement.zeros->times, times[i]);
+        for (std::size_t place = 0; place + 1 < events.of[i].size(); ++place) {
+            statement.values.push_back({{}, place, ode::within_one_unit(events.of[i][place + 1], events.digits), zero});
+        }
+    }
+    return compressed(text_of(system, statement, middle_of(times.back()), how));
+}
+
+}  // namespace libration
