@@ -61,7 +61,8 @@ void certify_events(const std::string& path, const ode::explicit_system& system,
         std::vector<std::string> columns = ode::names_of_state(system);
         columns.insert(columns.begin(), events.columns().front().name);
         const auto rows = decimals_of(events, columns, how.printed_digits());
-        return certificate_of_events(system, request.g, request.way, rows, how);
+        const int way = request.way == ode::crossing::any ? 0 : request.way == ode::crossing::up ? 1 : -1;
+        return certificate_of_events(system, request.g, way, rows, how);
     });
 }
 

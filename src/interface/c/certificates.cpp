@@ -88,8 +88,7 @@ int libration_problem_event_certificate(const libration_problem* problem, const 
         }
         auto table = table_of_numbers(found);
         const auto rows = decimals_of(table, 0, digits);
-        write_file(file, certificate_of_events(p.system, ode::parse_condition(p.equations, text), ode::crossing::any,
-                                               rows, how));
+        write_file(file, certificate_of_events(p.system, ode::parse_condition(p.equations, text), 0, rows, how));
         return table;
     });
 }

@@ -8,7 +8,6 @@
 
 #include "libration/function/list.hpp"
 #include "libration/ode/dependency.hpp"
-#include "libration/ode/lifted_functions.hpp"
 #include "start_values.hpp"
 
 namespace libration::ode {
@@ -34,8 +33,8 @@ class lifting {
 public:
     explicit lifting(const explicit_system& of) : of_(of) {}
 
-    lifted_functions result(const std::vector<expression>& functions) {
-        std::vector<expression> right, polynomials, slopes;
+    lifted_system result() {
+        std::vector<expression> right;
         for (const unknown_function& each : of_.unknowns()) {
             for (int j = 0; j < each.order; ++j) {
                 given_.emplace(primed(each.name, j), add_leaf());
@@ -48,9 +47,6 @@ public:
             }
             right.push_back(polynomial(of_.right()[i]));
         }
-        for (const expression& each : functions) {
-            polynomials.push_back(polynomial(each));
-        }
         slopes_.assign(right.begin(), right.end());
         const std::size_t given = right.size();
         for (std::size_t k = given; k < leaves_.size(); ++k) {  // a slope may add unknowns
@@ -60,17 +56,12 @@ public:
         for (std::size_t k = 0; k < leaves_.size(); ++k) {
             all.push_back(slope_of(k));
         }
-        for (const expression& each : polynomials) {
-            slopes.push_back(slope_of(each));
-        }
         std::vector<gradient> gradients;
         for (const expression& each : added_) {
             gradients.push_back(gradient_of(each, leaves_));
         }
-        return {{explicit_system::first_order(leaves_, std::move(all), of_.point()), given, std::move(added_),
-                 std::move(gradients), leaves_},
-                std::move(polynomials),
-                std::move(slopes)};
+        return {explicit_system::first_order(leaves_, std::move(all), of_.point()), given, std::move(added_),
+                std::move(gradients), leaves_};
     }
 
 private:
@@ -359,14 +350,12 @@ bool has_entire_solutions(const explicit_system& of) {
     });
 }
 
-lifted_system lifted(const explicit_system& of) { return lifted_with(of, {}).form; }
-
-lifted_functions lifted_with(const explicit_system& of, const std::vector<expression>& functions) {
+lifted_system lifted(const explicit_system& of) {
     if (of.singular()) {
         refuse("", {}, "has a singular initial point, which is not supported by proofs: choose another initial point");
     }
     require_polynomial_form(of);
-    return lifting(of).result(functions);
+    return lifting(of).result();
 }
 
 explicit_system with_variations(const lifted_system& of) {

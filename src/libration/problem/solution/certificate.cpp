@@ -101,14 +101,14 @@ std::string certificate_of_states(const ode::explicit_system& system, const std:
     return compressed(text_of(system, statement, farthest, how));
 }
 
-std::string certificate_of_events(const ode::explicit_system& system, const ode::expression& g, ode::crossing way,
+std::string certificate_of_events(const ode::explicit_system& system, const ode::expression& g, int way,
                                   const printed_rows& events, const request& how) {
     std::vector<ode::decimal_interval> times;
     for (const auto& row : events.of) {
         times.push_back(ode::within_one_unit(row.front(), events.digits));
     }
     ode::certified_statement statement;
-    statement.zeros = {g, way == ode::crossing::any ? times : all_zeros(system, g, times.back(), events.digits, how)};
+    statement.zeros = {g, way == 0 ? times : all_zeros(system, g, times.back(), events.digits, how)};
     for (std::size_t i = 0; i < times.size(); ++i) {
         const std::size_t zero = place_of(statement.zeros->times, times[i]);
         for (std::size_t place = 0; place + 1 < events.of[i].size(); ++place) {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "../ball_polynomial.hpp"
-#include "libration/ode/lifted_functions.hpp"
 #include "libration/ode/rigorous/certificate/certificate.hpp"
 #include "libration/ode/rigorous/tube.hpp"
+#include "lifted_functions.hpp"
 
 namespace libration::ode {
 
