@@ -24,8 +24,9 @@ std::string certificate_of_states(const ode::explicit_system& system, const std:
                                   const printed_rows& states, const request& how);
 
 /// The same for a condition g = 0: the first zeros after the initial point, only those at which g increases (way 1) or
-/// decreases (-1) with time, or all of them (0). Each row has the time and the unknowns. The certificate proves that the condition has no other zeros before the last of them,
-/// except those crossed in the other direction, which it lists too.
+/// decreases (-1) with time, or all of them (0). Each row has the time and the unknowns. The certificate proves that the
+/// condition has no other zeros before the last of them, except those crossed in the other direction, which it lists
+/// too.
 std::string certificate_of_events(const ode::explicit_system& system, const ode::expression& g, int way,
                                   const printed_rows& events, const request& how);
 
