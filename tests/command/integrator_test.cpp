@@ -39,6 +39,19 @@ TEST_CASE("the use of collocation is stated on stderr", "[command][reference]") 
     CHECK(contains(trajectory.err, "from t = 0 to 3: "));
 }
 
+TEST_CASE("events of stiff equations are found by collocation, or by a chosen integrator", "[command][reference]") {
+    const words until{"reference", "--until", "y = 0"};
+    const auto chosen = run_libration(until + stiff);
+    CHECK(chosen.exit_code == 0);
+    CHECK(contains(chosen.out, "1.57079632679490"));
+    CHECK(contains(chosen.err, "libration: integrated by collocation (theorem K) from t = "));
+    const auto taylor = run_libration(words{"reference", "--until", "y = 3/2", "--integrator", "taylor"} + stiff);
+    CHECK(taylor.exit_code == 0);
+    CHECK(taylor.err.empty());
+    check_refused(until + stiff + words{"--integrator", "colocation"}, {"--integrator", "colocation", "collocation?"});
+    check_refused(until + stiff + words{"--trace", "steps.csv"}, {"--trace", "--until"});
+}
+
 TEST_CASE("a chosen integrator replaces closed forms", "[command][reference]") {
     const auto done = run_libration(
         {"reference", "--integrator", "taylor", "--problem", "pendulum", "--time", "1", "--digits", "20"});
@@ -85,8 +98,6 @@ TEST_CASE("an integrator is refused where it has no meaning or is not possible",
                   {"--integrator", "colocation", "collocation?", "automatic"});
     check_refused(words{"reference", "--integrator", "collocation", "--time", "1", "--digits", "400"} + decay,
                   {"--integrator", "collocation", "1024 bits"});
-    check_refused(words{"reference", "--integrator", "taylor", "--until", "y = 1/2"} + decay,
-                  {"--integrator", "--until"});
     check_refused({"reference", "--integrator", "taylor", "--energy", "1", "--time", "1"},
                   {"--integrator", "--problem"});
     check_refused({"reference", "--trace", "steps.csv", "--energy", "1", "--time", "1"}, {"--trace", "--problem"});

@@ -582,6 +582,26 @@ FAULTS = [
          "old(i, j) = ball(0);"),
     ),
     *in_file(
+        "src/libration/ode/rigorous/tube_proof.cpp", ["ode/proved/stiff_events_test.cpp"],
+        ("the defect left out of derivatives along a tube",
+         "(forms.supremum(defect[i]) / half).shifted(of.scales[i]) + change[i].change", "change[i].change"),
+        ("the width of a tube left out of derivatives along it",
+         "(forms.supremum(defect[i]) / half).shifted(of.scales[i]) + change[i].change",
+         "(forms.supremum(defect[i]) / half).shifted(of.scales[i])"),
+    ),
+    *in_file(
+        "src/libration/ode/rigorous/ball_polynomial.cpp", ["ode/proved/stiff_events_test.cpp"],
+        ("a polynomial over a wide time by its value and first derivative at the middle",
+         "for (slong k = 1; k < length; ++k) {\n        ball each;", "for (slong k = 1; k < 2; ++k) {\n        ball each;"),
+    ),
+    *in_file(
+        "src/libration/ode/rigorous/coordinates/decay_coordinates.cpp", ["ode/proved/decay_coordinates_test.cpp"],
+        ("the derivative of coordinates at the centre of a set alone", "derivative(time, of.hull())",
+         "derivative(time, of.centre)"),
+        ("a term without the decaying unknowns forgotten", "if (!with(right[k], zero).is(0)) {",
+         "if (decaying.empty()) {"),
+    ),
+    *in_file(
         "src/libration/ode/rigorous/coefficient_suprema.cpp", ["ode/proved/stiff_test.cpp"],
         ("half of the defect of a curve", "result.defect.push_back(forms_.supremum(sum));",
          "result.defect.push_back(forms_.supremum(sum).shifted(-1));"),

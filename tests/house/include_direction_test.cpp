@@ -67,7 +67,8 @@ std::map<std::string, rooms> order_of_rooms() {
         arc = taylor + rooms{"pendulum/arc"},
         proofs = balls + functions + rooms{"function/ball", "approximant/proved",       "elliptic/proved",
                                            "ode/ball",      "ode/singularity",          "ode/rigorous/matrix",
-                                           "ode/rigorous",  "ode/rigorous/certificate", "ode/proved"},
+                                           "ode/rigorous",  "ode/rigorous/certificate", "ode/rigorous/coordinates",
+                                           "ode/proved"},
         numerical = arc + rooms{"pendulum/numerical"},
         pendulum = numerical + proofs +
                    rooms{"pendulum", "pendulum/proved", "pendulum/sampler", "pendulum/error", "pendulum/error/proved"},
@@ -110,7 +111,10 @@ std::map<std::string, rooms> order_of_rooms() {
         {"ode/rigorous/matrix", balls},
         {"ode/rigorous", ode + balls + rooms{"ode/ball", "ode/rigorous/matrix"}},
         {"ode/rigorous/certificate", ode + balls + rooms{"ode/ball", "ode/rigorous"}},
-        {"ode/proved", ode + balls + rooms{"ode/ball", "ode/rigorous/matrix", "ode/rigorous", "ode/singularity"}},
+        {"ode/rigorous/coordinates", ode + balls + rooms{"ode/ball", "ode/rigorous"}},
+        {"ode/proved",
+         ode + balls +
+             rooms{"ode/ball", "ode/rigorous/matrix", "ode/rigorous", "ode/rigorous/coordinates", "ode/singularity"}},
         {"ode/proved/shooting", ode + balls + rooms{"ode/ball", "ode/rigorous/matrix", "ode/rigorous", "ode/proved"}},
         {"elliptic", digits},
         {"elliptic/proved", elliptic + balls},

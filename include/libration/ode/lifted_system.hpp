@@ -36,6 +36,8 @@ struct lifted_system {
 
 /// Throws error if the initial point is singular: the system has no polynomial form about it.
 lifted_system lifted(const explicit_system& of);
+/// The same for a system without initial values.
+lifted_system lifted_about_points(const explicit_system& of);
 
 /// The polynomial form for paths in the complex t-plane: functions of several values (logarithms, roots, inverse
 /// functions) count as given, after the given unknowns, and are continued along the path instead of being recomputed

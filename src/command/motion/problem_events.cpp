@@ -145,13 +145,13 @@ void check_events(const ode::explicit_system& system, ode::event_request request
 }  // namespace
 
 events_found problem_events(const ode::explicit_system& system, const ode::event_request& request, long digits,
-                            bool check, const std::function<void(const table&)>& write) {
+                            const ode::proof_route& route, bool check, const std::function<void(const table&)>& write) {
     const auto checked = checked_products(check);
     search_progress shown(system, request);
     known_so_far known;
     const at_ending_signal interrupted([&] { known.end(system, request, digits, write); });
     const auto report =
-        ode::searched_events(system, request, digits, {},
+        ode::searched_events(system, request, digits, route,
                              [&](const ball& reached, long bits, const std::vector<ode::printed_event>& events) {
                                  shown.reached(reached, bits, events.size());
                                  known.tell(reached, events);
@@ -159,7 +159,7 @@ events_found problem_events(const ode::explicit_system& system, const ode::event
     if (check) {
         check_events(system, request, digits, report.events);
     }
-    return {table_of_events(system, report.events, digits), report.missing};
+    return {table_of_events(system, report.events, digits), report.missing, report.collocation};
 }
 
 }  // namespace libration

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "libration/ode/proved/proved_events.hpp"
 #include "text/table.hpp"
@@ -13,6 +14,7 @@ namespace libration {
 struct events_found {
     table data;
     std::optional<error> missing;
+    std::vector<ode::collocation_use> collocation;
 };
 
 /// time,<unknown and its lower derivatives>...,digits,rigour,count: ode::searched_events, the first event in the first
@@ -21,6 +23,6 @@ struct events_found {
 /// With `check` each event is compared with a second proof (ode::proof_route::second): throws std::runtime_error with
 /// both enclosures if they disagree.
 events_found problem_events(const ode::explicit_system& system, const ode::event_request& request, long digits,
-                            bool check, const std::function<void(const table&)>& write);
+                            const ode::proof_route& route, bool check, const std::function<void(const table&)>& write);
 
 }  // namespace libration

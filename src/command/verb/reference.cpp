@@ -185,9 +185,8 @@ void refuse_motions(const reference_options& options) {
     }
 }
 
-// Throws for options of an integration to given times, such as --trace, if there is none.
-void require_no_integration(const reference_options& options, const std::string& reason) {
-    options.integrator.require_absent(reason);
+// Throws for options of the steps to given times, such as --trace, if there are none.
+void require_no_times(const reference_options& options, const std::string& reason) {
     options.derivatives.require_absent(reason);
     if (options.trace) {
         throw input_error("--trace", *options.trace, reason, "leave it out");
@@ -198,6 +197,12 @@ void require_no_certificate(const reference_options& options, const std::string&
     if (options.certificate) {
         throw input_error("--certificate", *options.certificate, reason, "leave it out");
     }
+}
+
+// The same for those of any integration.
+void require_no_integration(const reference_options& options, const std::string& reason) {
+    options.integrator.require_absent(reason);
+    require_no_times(options, reason);
 }
 
 // Calls write(request) with the progress of a certificate, after the values themselves, which do not depend on it.
@@ -214,7 +219,7 @@ void certify(long digits, const Write& write) {
 // The times at which a condition holds.
 int write_events(const reference_options& options, long digits) {
     refuse_motions(options);
-    require_no_integration(options, "has no meaning for --until, which finds events by Taylor series");
+    require_no_times(options, "has no meaning for --until, which finds the times itself");
     if (options.times) {
         throw input_error("--times", *options.times, "is given together with --until, which finds the times",
                           "leave one out");
@@ -230,14 +235,19 @@ int write_events(const reference_options& options, long digits) {
     }
     const auto output = table_output(options.output, figure);
     const auto write = [&](const table& data) { output.write(data, lines_of_states(data)); };
-    const auto found =
-        naming_option("--until", [&] { return problem_events(system, request, digits, options.check, write); });
+    ode::proof_route route;
+    route.integrator = options.integrator.choice();
+    const auto found = naming_option("--until", [&] {
+        return integrator_options::naming(
+            [&] { return problem_events(system, request, digits, route, options.check, write); });
+    });
     if (!found.missing || !found.data.rows().empty()) {
         if (figure && !found.data.rows().empty()) {
             figure->draw(event_plot(options.problem, found.data, options.events.condition(), options.plot));
         }
         write(found.data);
     }
+    options.integrator.state(found.collocation);
     if (found.missing) {
         throw error(*found.missing);
     }

@@ -358,6 +358,8 @@ lifted_system lifted(const explicit_system& of) {
     return lifting(of).result();
 }
 
+lifted_system lifted_about_points(const explicit_system& of) { return lifting(of).result({}).form; }
+
 explicit_system with_variations(const lifted_system& of) {
     const std::size_t count = of.leaves.size();
     std::vector<expression> leaves = of.leaves;

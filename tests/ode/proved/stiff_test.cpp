@@ -72,6 +72,28 @@ TEST_CASE("a linear stiff system has its closed form in both directions of time"
     }
 }
 
+// u = c/(1 + c t) from u(0) = c, v tends to u^2: du/dc = (u/c)^2, dv/dc = 2 u du/dc up to exp(-1e8 t).
+TEST_CASE("the derivative of a stiff flow is that of the closed form", "[ode][proved]") {
+    const precision_scope scope(60);
+    proof_route route;
+    route.integrator = integrator_choice::collocation;
+    proved_march march(system_of(closed + "2"), 100, {}, proved_march::usual_error_bits, route);
+    march.keep_derivative();
+    for (const char* time : {"1/1000", "1000"}) {
+        const ball t = ball_of(time);
+        REQUIRE(march.at(t));
+        const ball u = ball(1) / (ball(1) + t);
+        const auto flow = march.derivative_at(t);
+        CHECK(encloses(flow[0][0], u * u, 15));
+        CHECK(encloses(flow[1][0], u * u * u * 2L, 15));
+        for (std::size_t i = 0; i < 2; ++i) {
+            CHECK(contains_zero(flow[i][1]));
+            CHECK(certainly_less(radius_of(flow[i][1]), pow(ball(10), -15L)));
+        }
+    }
+    CHECK(march.collocation().steps < 100);
+}
+
 // x + y + z = 1 at all times; the sum of three enclosures that do not refer to it contains 1.
 TEST_CASE("Robertson's equations keep their sum to 1e11 and agree with Taylor series at the beginning",
           "[ode][proved]") {

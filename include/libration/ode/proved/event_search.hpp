@@ -52,6 +52,8 @@ struct undecided_place {
 ///     of one of the joined pieces.
 ///   - gamma''(S) excludes 0: gamma turns at most once on S. The point is enclosed by Newton's method for gamma', and
 ///     gamma is monotone before and after it, if the signs of gamma' at its ends prove it.
+/// On a step of theorem K gamma'(S) is enclosed by g_t(y) + sum_i g_(y_i)(y) y_i', y_i' from enclosed_step::slopes_at, as
+/// large terms of f cancel along a stiff solution; gamma'' is not used there.
 ///   - otherwise S is halved, at 0 and over several orders of magnitude by exponents, so that no scale is favoured. If
 ///     the radius of gamma(m) is as large as the variation of gamma on S, halving is useless: `undecided`.
 /// The signs of joined pieces are those of points after the initial point: the sign directly after it is exact
@@ -101,6 +103,7 @@ private:
     const expression& curvature();
     expression_values<ball> values_at(const ball& distance) const;
     ball of_state(const expression& e, const ball& distance) const { return values_at(distance).of(e); }
+    ball slope_at(const ball& distance, expression_values<ball>& values) const;
     int sign_at(const ball& distance) const;
     bool is_start(const step_piece& p) const { return start_.order > 0 && march_.steps() == 0 && p.at_0(); }
     bool begin_step(const std::optional<ball>& end, long last_step);
@@ -118,18 +121,20 @@ private:
 
     first_order_form form_;
     expression g_, slope_;
+    std::vector<expression> gradient_;     // the derivatives of g with respect to the leaves, and to the variable
     std::optional<expression> curvature_;  // computed on demand
     proved_march march_;
     long digits_;
     int direction_;
     march_watch watch_;
     start_sign start_;
-    int sign_ = 1;                       // of g when it was last certain
-    bool open_ = false;                  // g has been monotone towards 0 since then
-    std::vector<proved_event> parts_;    // and the possible locations of its zero on these pieces
-    std::vector<step_piece> pieces_;     // of the current step, the next one last
-    long examined_ = 0;                  // number of halved pieces
-    const proved_step* step_ = nullptr;  // that is being examined
+    int sign_ = 1;                         // of g when it was last certain
+    bool open_ = false;                    // g has been monotone towards 0 since then
+    std::vector<proved_event> parts_;      // and the possible locations of its zero on these pieces
+    std::vector<step_piece> pieces_;       // of the current step, the next one last
+    long examined_ = 0;                    // number of halved pieces
+    const enclosed_step* step_ = nullptr;  // that is being examined
+    bool has_own_slopes_ = false;          // enclosed_step::slopes_at
     search_end end_ = search_end::none;
     std::optional<undecided_place> undecided_;
 };

@@ -36,6 +36,8 @@ struct printed_event {
 struct event_report {
     std::vector<printed_event> events;
     std::optional<error> missing;
+    /// Where the last run used collocation, if it did.
+    std::vector<collocation_use> collocation = {};
 };
 
 /// Called after each step of the integrator and each event with the time that the current run has reached, its bits,

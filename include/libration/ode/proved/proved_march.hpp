@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "libration/ode/lifted_system.hpp"
+#include "libration/ode/proved/enclosed_step.hpp"
 #include "libration/ode/proved/proof_route.hpp"
 #include "libration/ode/proved/proved_step.hpp"
 #include "libration/ode/proved/singular_step.hpp"
@@ -35,7 +36,7 @@ enum class march_end {
 /// at every point of the set, which is convex; so Phi of the set lies in c' + A Q [-r, r] + [-tau, tau]
 /// (error_set). Proof: Phi(z) - Phi(c) = (int_0^1 DPhi(c + x (z - c)) dx)(z - c).
 ///
-/// If the equations are stiff along the way of at(), that is if the solution is smooth over many of these steps, the
+/// If the equations are stiff along the way of prepare_towards(), that is if the solution is smooth over many of these steps, the
 /// integrator of theorem K (rigorous/collocation_integrator.hpp) continues from the same set, until no mode is fast. It
 /// integrates the polynomial form, from the image of the set under the added unknowns (rigorous/lifted_set.hpp), and
 /// the set of the given unknowns continues. This requires no derivative of the flow.
@@ -86,8 +87,16 @@ public:
     /// The derivative at a time for which at() has just been called.
     ball_matrix derivative_at(const ball& time) const;
 
-    /// The step from reached(), computed once and valid until the next one is taken. Returns nullptr if the proof ends
-    /// here.
+    /// The step from reached() towards times at this distance, infinite if there is no last one, by either integrator,
+    /// computed once and valid until the next one is taken. Returns nullptr if the proof ends here.
+    const enclosed_step* prepare_towards(const ball& rest);
+    /// Takes the whole step that prepare_towards() has returned, forwards for direction >= 0.
+    void take_prepared(int direction);
+    /// Notes, for collocation() and the observer, that the step that prepare_towards() has returned is used up to this
+    /// time.
+    void use_prepared(const ball& time, int direction);
+
+    /// The same by Taylor series.
     const proved_step* prepare();
     /// Takes the whole step that prepare() has returned, forwards for direction >= 0.
     void take(const proved_step& prepared, int direction);
@@ -115,9 +124,8 @@ private:
     const proved_step* stopped_by_bounds();
     void require_integrator() const;
     bool begins_collocation(const proved_step& step, const ball& rest);
-    std::vector<ball> values_by_collocation(const ball& distance);
     void step_of_collocation();
-    bool loses_an_unknown(const state_set& set) const;
+    bool loses_an_unknown(const std::vector<ball>& hull) const;
     void end_collocation();
     void use_step(int direction);
     step_report report_of_step(int direction) const;

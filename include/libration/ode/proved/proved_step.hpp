@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "libration/ode/ball/taylor_expansion.hpp"
+#include "libration/ode/proved/enclosed_step.hpp"
 #include "libration/ode/proved/proof_route.hpp"
 #include "libration/ode/proved/tail_bound.hpp"
 #include "libration/ode/rigorous/error_set.hpp"
@@ -14,16 +15,17 @@ namespace libration::ode {
 /// The series of the centre c of a set with tail, and, in low precision, the series of the whole set with the
 /// variations of the flow. proved_march makes and uses it. Distances are from the beginning of the step, of either sign
 /// and up to length(), in absolute value.
-class proved_step {
+class proved_step : public enclosed_step {
 public:
     /// The longest distance for which the step is valid.
     const magnitude& length() const { return length_; }
+    ball length_of_step() const override { return length_.exact(); }
     /// The unknowns of the solution through c.
     std::vector<ball> flow_of_centre(const ball& distance) const;
     /// The derivative of the flow with respect to the state at the beginning, for every point of the set.
     ball_matrix derivative_of_flow(const ball& distance) const;
     /// The unknowns of every solution through the set, at every distance of a ball.
-    std::vector<ball> values_at(const ball& distance) const;
+    std::vector<ball> values_at(const ball& distance) const override;
 
     /// The precision and the order of the series of the centre.
     long bits() const { return bits_; }

@@ -60,8 +60,12 @@ public:
     bool prepare();
     /// The length of the prepared step, exact, with the sign of the direction.
     const ball& length() const;
+    /// The length that is tried next, between two steps.
+    const ball& next_length() const;
     /// The unknowns at a distance from reached(), between 0 and length(); after prepare().
     std::vector<ball> values_at(const ball& distance) const;
+    /// Their derivatives there, from that of the approximate solution and bounds over the step (tube_proof).
+    std::vector<ball> slopes_at(const ball& distance) const;
     /// Takes the prepared step.
     void step();
 

@@ -63,8 +63,13 @@ public:
 
     /// The unknowns at a distance from the beginning of the step, within it.
     std::vector<ball> values_at(const ball& distance) const;
+    /// Their derivatives, with bounds of |y' - P'| over the step, P the curve (tube_proof::slope_errors).
+    std::vector<ball> slopes_at(const ball& distance, const std::vector<magnitude>& errors) const;
     /// The set at the end, rounded to so many bits.
     tube_set end(long bits, long frame_bits) const;
+
+private:
+    ball place_of(const ball& distance) const;
 };
 
 }  // namespace libration::ode

@@ -4,6 +4,8 @@
 
 #include "../rigorous/lifted_set.hpp"
 #include "../rigorous/matrix/dense_matrix.hpp"
+#include "libration/ode/ball/step_pieces.hpp"
+#include "libration/ode/proved/step_length.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 
 namespace libration::ode {
@@ -24,6 +26,16 @@ unsigned long steps_worth_preparation(long bits) {
     return at_200_bits * times * times * times / (200 * 200 * 200);
 }
 
+// Its given unknowns are those of the form.
+lifted_system form_with_variations(const lifted_system& of) {
+    explicit_system system = with_variations(of);
+    std::vector<expression> leaves;
+    for (const unknown_function& each : system.unknowns()) {
+        leaves.push_back(unknown(each.name));
+    }
+    return {std::move(system), of.given, {}, {}, std::move(leaves)};
+}
+
 }  // namespace
 
 collocation_phase::collocation_phase(const lifted_system& of, long bits, const proof_route& route)
@@ -41,11 +53,13 @@ long collocation_phase::cost_of_step() const {
 
 long collocation_phase::first_interval() const { return steps_without_fast_modes * cost_of_step(); }
 
-std::string collocation_phase::obstacle() const {
-    const std::size_t count = system_.leaves.size();
+std::string collocation_phase::obstacle(bool with_derivative) const {
+    const std::size_t count = system_.leaves.size() * (with_derivative ? 1 + system_.given : 1);
     if (count > most_collocation_unknowns) {
         return "is limited to " + std::to_string(most_collocation_unknowns) +
-               " unknowns, and the polynomial form of these equations has " + std::to_string(count);
+               " unknowns, and the polynomial form of these equations" +
+               (with_derivative ? " with the derivative of the flow, which is needed here," : "") + " has " +
+               std::to_string(count);
     }
     if (bits_ > most_collocation_bits) {
         return "is limited to a precision of " + std::to_string(most_collocation_bits) +
@@ -54,8 +68,8 @@ std::string collocation_phase::obstacle() const {
     return "";
 }
 
-bool collocation_phase::may_begin(long steps, const magnitude& length, const ball& rest) const {
-    if (steps < next_check_ || !obstacle().empty()) {
+bool collocation_phase::may_begin(long steps, const magnitude& length, const ball& rest, bool with_derivative) const {
+    if (steps < next_check_ || !obstacle(with_derivative).empty()) {
         return false;
     }
     switch (route_.integrator) {
@@ -66,23 +80,65 @@ bool collocation_phase::may_begin(long steps, const magnitude& length, const bal
     return length * magnitude(steps_worth_preparation(bits_)) <= magnitude(rest);
 }
 
+// The unknowns of the form and then, column by column, its derivatives with respect to the given ones: the identity,
+// and for added unknowns the derivatives of their definitions. Each has a width far below the scale of its unknowns, so
+// that a column that decays to nothing need not be resolved.
+std::optional<tube_set> collocation_phase::with_identity(const ball& time, const state_set& set, tube_set all) const {
+    const auto values = varied_values(system_, time, set.hull());
+    for (std::size_t k = system_.leaves.size(); k < values.size(); ++k) {
+        if (!is_finite(values[k])) {
+            return std::nullopt;
+        }
+        const magnitude of_unknown(values[k % system_.leaves.size()]);
+        const magnitude by_unknown = magnitude::below(values[k / system_.leaves.size() - 1]);
+        const magnitude scale = by_unknown.is_zero() ? magnitude(values[k]) : of_unknown / by_unknown;
+        all.centre.push_back(midpoint_alone(values[k]));
+        all.errors.add_coordinate({}, magnitude::radius_of(values[k]) + scale.shifted(-bits_));
+    }
+    return all;
+}
+
+ball_matrix collocation_phase::derivative_in(const std::vector<ball>& state) const {
+    const std::size_t count = system_.leaves.size();
+    ball_matrix result(system_.given);
+    for (std::size_t i = 0; i < system_.given; ++i) {
+        for (std::size_t j = 0; j < system_.given; ++j) {
+            result[i].push_back(state[count * (j + 1) + i]);
+        }
+    }
+    return result;
+}
+
 bool collocation_phase::begin(long steps, const ball& time, const state_set& set, const magnitude& length,
-                              const ball& rest) {
+                              const ball& rest, bool with_derivative) {
     next_check_ = steps + between_checks_;
     between_checks_ *= 2;
     if (!integrator_) {
         integrator_.emplace(system_, bits_, route_.more_terms);
     }
-    const auto all = lifted_set(system_, time, set);
+    auto all = lifted_set(system_, time, set);
     if (!all) {
         return false;
     }
+    coordinates_.reset();
+    varied_.reset();
+    other_.reset();
+    largest_.assign(system_.given, nothing);
+    decaying_.clear();
     const ball first = arb_is_negative(rest.handle()) != 0 ? -length.exact() : length.exact();
     if (route_.integrator == integrator_choice::automatic && !integrator_->is_smooth_over(time, all->centre, first)) {
         return false;
     }
-    integrator_->begin(time, *all, first);
-    active_ = integrator_->prepare();
+    if (with_derivative) {
+        all = with_identity(time, set, *std::move(all));
+        if (!all) {
+            return false;
+        }
+        varied_ = form_with_variations(system_);
+        other_.emplace(*varied_, bits_, route_.more_terms);
+    }
+    current().begin(time, *all, first);
+    active_ = current().prepare();
     steps_of_phase_ = 0;
     length_to_pay_ = length * magnitude(static_cast<unsigned long>(cost_of_step()));
     return active_;
@@ -90,16 +146,104 @@ bool collocation_phase::begin(long steps, const ball& time, const state_set& set
 
 void collocation_phase::use() {
     if (use_.steps++ == 0) {
-        use_.first = as_double(integrator_->reached());
+        use_.first = as_double(integrator().reached());
     }
     use_.periods += steps_of_phase_ == 0 ? 1 : 0;
 }
 
+std::vector<ball> collocation_phase::given_of(const ball& time, std::vector<ball> state) const {
+    state.resize(system_.given);
+    return coordinates_ ? coordinates_->from_coordinates().at(time, state) : state;
+}
+
+std::vector<ball> collocation_phase::values_at(const ball& distance) const {
+    return given_of(integrator().reached() + distance, integrator().values_at(distance));
+}
+
+ball collocation_phase::length_of_step() const {
+    ball size;
+    arb_abs(size.handle(), integrator().length().handle());
+    return size;
+}
+
+// In coordinates c, y = g(c) has y' = g_c c'.
+std::vector<ball> collocation_phase::slopes_at(const ball& distance) const {
+    std::vector<ball> slopes = integrator().slopes_at(distance);
+    slopes.resize(system_.given);
+    if (!coordinates_) {
+        return slopes;
+    }
+    std::vector<ball> state = integrator().values_at(distance);
+    state.resize(system_.given);
+    const ball_matrix by = coordinates_->from_coordinates().derivative(integrator().reached() + distance, state);
+    std::vector<ball> result;
+    for (const auto& row : by) {
+        ball& sum = result.emplace_back(0);
+        for (std::size_t k = 0; k < row.size(); ++k) {
+            sum += row[k] * slopes[k];
+        }
+    }
+    return result;
+}
+
+std::vector<ball> collocation_phase::hull() const {
+    return given_of(integrator().reached(), integrator().set().hull());
+}
+
+std::optional<state_set> collocation_phase::set() const {
+    auto first = set_of_first(system_.given, integrator().set());
+    return first && coordinates_ ? coordinates_->from_coordinates().image(integrator().reached(), *first) : first;
+}
+
+// Looks for coordinates if the list of the unknowns that have decayed is another one: with the first of them those that
+// have come half of the way.
+void collocation_phase::follow_decay() {
+    const std::vector<ball> now = hull();
+    std::vector<std::size_t> half_decayed;
+    bool decayed = false;
+    for (std::size_t k = 0; k < now.size(); ++k) {
+        const double size = log_of(magnitude(now[k]));
+        largest_[k] = std::max(largest_[k], size);
+        const bool resolved = arb_contains_zero(now[k].handle()) == 0;
+        const double lost = resolved ? largest_[k] - size : 0;
+        decayed = decayed || lost > static_cast<double>(bits_);
+        if (lost > static_cast<double>(bits_) / 2) {
+            half_decayed.push_back(k);
+        }
+    }
+    if (!varied_ && decayed && half_decayed != decaying_) {
+        decaying_ = std::move(half_decayed);
+        change_coordinates();
+    }
+}
+
+void collocation_phase::change_coordinates() {
+    const auto given = set();
+    auto found = given ? decay_coordinates::of(system_, decaying_, *given) : std::nullopt;
+    const ball time = integrator().reached();
+    const auto changed = found ? found->to_coordinates().image(time, *given) : std::nullopt;
+    const auto all = changed ? lifted_set(found->system(), time, *changed) : std::nullopt;
+    if (!all) {
+        return;
+    }
+    const ball length = integrator().next_length();
+    coordinates_ = std::move(found);
+    other_.emplace(coordinates_->system(), bits_, route_.more_terms);
+    other_->begin(time, *all, length);
+}
+
+void collocation_phase::reach(const ball& time) {
+    if (active_) {
+        use_.last = as_double(time);
+    }
+}
+
 bool collocation_phase::step(long steps) {
-    const bool pays = length_to_pay_ <= magnitude(integrator_->length());
-    integrator_->step();
+    const bool pays = length_to_pay_ <= magnitude(integrator().length());
+    current().step();
     ++steps_of_phase_;
-    reach(as_double(integrator_->reached()));
+    reach(integrator().reached());
+    follow_decay();
     if (pays) {
         between_checks_ = first_interval();
     }
@@ -107,7 +251,7 @@ bool collocation_phase::step(long steps) {
     if (route_.integrator == integrator_choice::collocation) {
         return true;
     }
-    return integrator_->steps_without_fast_modes() < steps_without_fast_modes &&
+    return integrator().steps_without_fast_modes() < steps_without_fast_modes &&
            (steps_of_phase_ <= steps_to_grow || pays);
 }
 

@@ -28,6 +28,10 @@ event_search::event_search(const explicit_system& system, const expression& g, l
       direction_(direction < 0 ? -1 : 1),
       watch_(std::move(watch)) {
     const precision_scope scope(digits_);
+    for (const expression& each : form_.leaves) {
+        gradient_.push_back(partial(g_, each));
+    }
+    gradient_.push_back(partial(g_, variable()));
     if (system.singular()) {
         require_no_event_before_first_step(constant_value<ball>::of(system.point()));
         return;
@@ -70,7 +74,22 @@ expression_values<ball> event_search::values_at(const ball& distance) const {
 
 event_search::sample event_search::sampled(const ball& distance) const {
     auto values = values_at(distance);
-    return {values.of(g_), values.of(slope_), values.values()};
+    return {values.of(g_), slope_at(distance, values), values.values()};
+}
+
+// gamma' at the values at a distance.
+ball event_search::slope_at(const ball& distance, expression_values<ball>& values) const {
+    const std::vector<ball> slopes = step_->slopes_at(distance);
+    if (slopes.empty()) {
+        return values.of(slope_);
+    }
+    ball sum = values.of(gradient_.back());
+    for (std::size_t i = 0; i < slopes.size(); ++i) {
+        if (!gradient_[i].is(0)) {
+            sum += values.of(gradient_[i]) * slopes[i];
+        }
+    }
+    return sum;
 }
 
 // The sign of g at an exact distance; 0 if it is undecided.
@@ -126,6 +145,9 @@ event_search::verdict event_search::judged(step_piece& p) {
     const ball beside = span - exact_midpoint(span);
     // The mean value form of gamma, with gamma' enclosed directly, then by its own mean value form with gamma''.
     for (const bool curved : {false, true}) {
+        if (curved && has_own_slopes_) {
+            break;
+        }
         if (curved) {
             all.slope = middle.slope + of_state(curvature(), span) * beside;
             if (const int sign = known_sign(all.slope); sign != 0) {
@@ -153,7 +175,7 @@ event_search::verdict event_search::judged(step_piece& p) {
 
 // The later part first, so that the earlier part is processed next.
 void event_search::split(const step_piece& p) {
-    if (is_start(p) || !split_at_turn(p)) {
+    if (is_start(p) || has_own_slopes_ || !split_at_turn(p)) {
         const ball middle = p.middle();
         pieces_.push_back(p.behind(middle));
         pieces_.push_back(p.before(middle));
@@ -302,8 +324,8 @@ std::optional<proved_event> event_search::joined() {
 
 // Prepares the pieces of the next step. Returns false for the reason end_.
 bool event_search::begin_step(const std::optional<ball>& end, long last_step) {
-    if (step_ != nullptr) {
-        march_.take(*std::exchange(step_, nullptr), direction_);
+    if (std::exchange(step_, nullptr) != nullptr) {
+        march_.take_prepared(direction_);
         if (watch_) {
             watch_(march_.reached(), march_.bits());
         }
@@ -312,29 +334,34 @@ bool event_search::begin_step(const std::optional<ball>& end, long last_step) {
         end_ = search_end::horizon;
         return false;
     }
-    const proved_step* const step = march_.prepare();
+    ball rest;
+    arb_pos_inf(rest.handle());
+    bool beyond = false;
+    if (end) {
+        const ball left = upper_bound((*end - march_.reached()) * direction_);
+        beyond = !exactly_less(ball(0), left);
+        rest = beyond ? rest : left;
+    }
+    if (beyond && !open_) {
+        end_ = search_end::time;
+        return false;
+    }
+    const enclosed_step* const step = march_.prepare_towards(rest * direction_);
     if (step == nullptr) {
         end_ = march_.end() == march_end::steps ? search_end::steps : search_end::precision;
         return false;
     }
-    ball first = step->length().exact();
-    if (end) {
-        const ball rest = upper_bound((*end - march_.reached()) * direction_);
-        const bool beyond = !exactly_less(ball(0), rest);
-        if (beyond && !open_) {
-            end_ = search_end::time;
-            return false;
-        }
-        if (!beyond && exactly_less(rest, first)) {
-            pieces_.push_back({rest, first, few_digits, 0, 0, true});
-            first = rest;
-        }
+    ball first = step->length_of_step();
+    if (exactly_less(rest, first)) {
+        pieces_.push_back({rest, first, few_digits, 0, 0, true});
+        first = rest;
     }
     for (unsigned long k = first_pieces; k-- > 0;) {
         pieces_.push_back({exact_multiple(first, k, -2), exact_multiple(first, k + 1, -2), few_digits});
     }
     examined_ = 0;
     step_ = step;
+    has_own_slopes_ = !step->slopes_at(ball(0)).empty();
     return true;
 }
 
@@ -362,6 +389,7 @@ std::optional<proved_event> event_search::next(crossing way, const std::optional
             if (event && is_beyond(event->time)) {
                 end_ = search_end::time;
             } else if (event && (way == crossing::any || way == event->way)) {
+                march_.use_prepared(event->time, direction_);
                 return event;
             }
         }

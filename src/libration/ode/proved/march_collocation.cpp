@@ -4,10 +4,11 @@
 #include <limits>
 #include <utility>
 
-#include "../rigorous/lifted_set.hpp"
 #include "../rigorous/matrix/dense_matrix.hpp"
 #include "collocation_phase.hpp"
+#include "libration/ode/ball/step_pieces.hpp"
 #include "libration/ode/proved/proved_march.hpp"
+#include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"
 
 namespace libration::ode {
@@ -15,13 +16,14 @@ namespace libration::ode {
 namespace {
 
 // log2 of the largest of |radius/midpoint|.
-double log2_of_relative_width(const std::vector<ball>& centre, const std::vector<magnitude>& reach) {
+double log2_of_relative_width(const std::vector<ball>& hull) {
     double most = -std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < reach.size(); ++i) {
-        if (!reach[i].is_zero()) {
-            const magnitude least = magnitude::below(centre[i]);
-            most = std::max(
-                most, least.is_zero() ? std::numeric_limits<double>::infinity() : log_of(reach[i]) - log_of(least));
+    for (const ball& each : hull) {
+        const magnitude reach = magnitude::radius_of(each);
+        if (!reach.is_zero()) {
+            const magnitude least = magnitude::below(midpoint_alone(each));
+            most = std::max(most,
+                            least.is_zero() ? std::numeric_limits<double>::infinity() : log_of(reach) - log_of(least));
         }
     }
     return most;
@@ -33,27 +35,45 @@ void proved_march::require_integrator() const {
     if (route_.integrator != integrator_choice::collocation) {
         return;
     }
-    if (const std::string reason = collocation_->obstacle(); !reason.empty()) {
+    if (const std::string reason = collocation_->obstacle(derivative_.has_value()); !reason.empty()) {
         throw error(error_kind::argument, "integrator", "collocation", reason + ": use automatic or taylor");
     }
 }
 
 bool proved_march::begins_collocation(const proved_step& step, const ball& rest) {
-    if (derivative_ || !collocation_->may_begin(steps_, step.length(), rest) ||
-        !collocation_->begin(steps_, time_, set_, step.length(), rest)) {
+    if (!collocation_->may_begin(steps_, step.length(), rest, derivative_.has_value()) ||
+        !collocation_->begin(steps_, time_, set_, step.length(), rest, derivative_.has_value())) {
         return false;
     }
     used_ = false;
     return true;
 }
 
-std::vector<ball> proved_march::values_by_collocation(const ball& distance) {
-    use_step(1);
-    collocation_->reach(as_double(time_ + distance));
-    const collocation_integrator& integrator = collocation_->integrator();
-    std::vector<ball> values = integrator.values_at(distance);
-    values.resize(lifted_.given);
-    return values;
+const enclosed_step* proved_march::prepare_towards(const ball& rest) {
+    if (collocation_->is_active()) {
+        if (!contains_zero(rest) && collocation_->prepare()) {
+            return collocation_.get();
+        }
+        end_collocation();
+    }
+    const proved_step* const step = prepare();
+    if (step != nullptr && !step->reaches(rest) && begins_collocation(*step, rest)) {
+        return collocation_.get();
+    }
+    return step;
+}
+
+void proved_march::use_prepared(const ball& time, int direction) {
+    use_step(direction);
+    collocation_->reach(time);
+}
+
+void proved_march::take_prepared(int direction) {
+    if (collocation_->is_active()) {
+        step_of_collocation();
+    } else {
+        take(*now_, direction);
+    }
 }
 
 void proved_march::step_of_collocation() {
@@ -62,26 +82,31 @@ void proved_march::step_of_collocation() {
     const bool continues = collocation_->step(steps_);
     time_ = collocation_->integrator().reached();
     used_ = false;
-    if (!continues || loses_an_unknown(collocation_->integrator().set())) {
+    if (!continues || loses_an_unknown(collocation_->hull())) {
         end_collocation();
     }
 }
 
 // By the state alone, also for an unknown near 0; the next step of Taylor series decides.
-bool proved_march::loses_an_unknown(const state_set& set) const {
+bool proved_march::loses_an_unknown(const std::vector<ball>& hull) const {
+    std::vector<ball> centre;
     std::vector<magnitude> reach;
-    for (std::size_t i = 0; i < lifted_.given; ++i) {
-        reach.push_back(set.reach(i));
+    for (const ball& each : hull) {
+        centre.push_back(midpoint_alone(each));
+        reach.push_back(magnitude::radius_of(each));
     }
-    return scales_.may_be_lost(set.centre, reach, widest_set);
+    return scales_.may_be_lost(centre, reach, widest_set);
 }
 
 void proved_march::end_collocation() {
-    auto set = set_of_first(lifted_.given, collocation_->integrator().set());
+    auto set = collocation_->set();
     if (!set) {
         throw precision_exhausted("an error set");
     }
     set_ = std::move(*set);
+    if (derivative_) {
+        derivative_ = product(collocation_->derivative(), *derivative_);
+    }
     now_->ready_ = false;
     used_ = false;
     collocation_->end();
@@ -106,20 +131,12 @@ void proved_march::use_step(int direction) {
 step_report proved_march::report_of_step(int direction) const {
     if (collocation_->is_active()) {
         const collocation_integrator& by = collocation_->integrator();
-        std::vector<magnitude> reach;
-        for (std::size_t i = 0; i < lifted_.given; ++i) {
-            reach.push_back(by.set().reach(i));
-        }
         return {as_double(time_), as_double(by.length()),   by.bits(),
-                by.degree(),      step_method::collocation, log2_of_relative_width(by.set().centre, reach)};
-    }
-    std::vector<magnitude> reach;
-    for (std::size_t i = 0; i < set_.centre.size(); ++i) {
-        reach.push_back(set_.reach(i));
+                by.degree(),      step_method::collocation, log2_of_relative_width(collocation_->hull())};
     }
     const double length = as_double(now_->length().exact());
-    return {as_double(time_),    direction < 0 ? -length : length,          now_->bits(), now_->order(),
-            step_method::taylor, log2_of_relative_width(set_.centre, reach)};
+    return {as_double(time_),    direction < 0 ? -length : length,   now_->bits(), now_->order(),
+            step_method::taylor, log2_of_relative_width(set_.hull())};
 }
 
 }  // namespace libration::ode

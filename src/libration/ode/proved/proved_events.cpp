@@ -70,9 +70,9 @@ public:
             if (problem.kind() != error_kind::undecided) {
                 throw;
             }
-            return {std::move(known_), problem};
+            return {std::move(known_), problem, std::move(collocation_)};
         }
-        return {std::move(known_), std::nullopt};
+        return {std::move(known_), std::nullopt, std::move(collocation_)};
     }
 
 private:
@@ -89,6 +89,8 @@ private:
         }
         while (static_cast<long>(events_.size()) < request_.count) {
             const auto event = search.next(request_.way, request_.before, request_.horizon);
+            const collocation_use& used = search.march().collocation();
+            collocation_.assign(used.steps > 0 ? 1 : 0, used);
             if (!event) {
                 require_more_bits(search);
                 return false;
@@ -222,6 +224,7 @@ private:
     std::vector<std::optional<number>> given_;
     std::vector<printed_event> events_;  // of this run
     std::vector<printed_event> known_;   // of the run that found the most
+    std::vector<collocation_use> collocation_;
     needed_bits bits_;
     long most_undecided_;
 };

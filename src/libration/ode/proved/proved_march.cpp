@@ -216,15 +216,15 @@ void proved_march::count_steps(long count) {
 }
 
 void proved_march::keep_derivative() {
-    if (route_.integrator == integrator_choice::collocation) {
-        throw error(error_kind::argument, "integrator", "collocation",
-                    "does not compute the derivative of the flow, which is needed here: use automatic or taylor");
+    if (collocation_->is_active()) {
+        end_collocation();
     }
     scales_.weigh_by_scales();
     if (singular_) {
         const precision_scope scope(decimal_digits(bits_));
         const ball distance = time_ - constant_value<ball>::of(singular_->point());
         derivative_ = derivative_beyond_start(*singular_, distance, error_bits_, route_);
+        require_integrator();
         return;
     }
     derivative_ = ball_matrix(lifted_.given);
@@ -233,11 +233,15 @@ void proved_march::keep_derivative() {
             (*derivative_)[i].emplace_back(i == j ? 1 : 0);
         }
     }
+    require_integrator();
 }
 
 ball_matrix proved_march::derivative_at(const ball& time) const {
     const precision_scope few(decimal_digits(set_bits_));
-    return product(now_->derivative_of_flow(time - time_), *derivative_);
+    const ball distance = time - time_;
+    return product(
+        collocation_->is_active() ? collocation_->derivative_at(distance) : now_->derivative_of_flow(distance),
+        *derivative_);
 }
 
 std::optional<std::vector<ball>> proved_march::at(const number& time) {
@@ -251,27 +255,15 @@ std::optional<std::vector<ball>> proved_march::at(const ball& target) {
         for (;;) {
             const ball distance = target - time_;
             const int direction = arb_is_negative(distance.handle()) != 0 ? -1 : 1;
-            if (collocation_->is_active() && collocation_->prepare() && !contains_zero(distance)) {
-                if (magnitude(distance) <= magnitude(collocation_->integrator().length())) {
-                    return values_by_collocation(distance);
-                }
-                step_of_collocation();
-                continue;
-            }
-            if (collocation_->is_active()) {
-                end_collocation();
-            }
-            const proved_step* const step = prepare();
+            const enclosed_step* const step = prepare_towards(distance);
             if (step == nullptr) {
                 break;
             }
-            if (magnitude(distance) <= step->length()) {
-                use_step(direction);
+            if (step->reaches(distance)) {
+                use_prepared(target, direction);
                 return step->values_at(distance);
             }
-            if (!begins_collocation(*step, distance)) {
-                take(*step, direction);
-            }
+            take_prepared(direction);
         }
     } catch (const precision_exhausted&) {
         end_ = march_end::precision;

@@ -3,8 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "libration/ode/ball/step_pieces.hpp"
 #include "libration/scalar/ball/polynomial.hpp"
 #include "libration/scalar/ball/predicates.hpp"
+
+#if __has_include(<flint/arb_poly.h>)
+#include <flint/arb_poly.h>
+#else
+#include <arb_poly.h>
+#endif
 
 namespace libration::ode {
 
@@ -67,6 +74,33 @@ ball value_of(const ball_polynomial& a, const ball& x) {
         sum = sum * x + a[k];
     }
     return sum;
+}
+
+ball value_over(const ball_polynomial& a, const ball& x) {
+    const magnitude radius = magnitude::radius_of(x);
+    const ball middle = midpoint_alone(x);
+    if (radius.is_zero() || a.size() < 2) {
+        return value_of(a, middle);
+    }
+    const auto length = static_cast<slong>(a.size());
+    arb_poly_t about;
+    arb_poly_init2(about, length);
+    for (slong k = 0; k < length; ++k) {
+        arb_set(about->coeffs + k, a[static_cast<std::size_t>(k)].handle());
+    }
+    _arb_poly_taylor_shift(about->coeffs, middle.handle(), length, ball::working_bits());
+    ball value;
+    arb_set(value.handle(), about->coeffs);
+    magnitude reach;
+    magnitude power = radius;
+    for (slong k = 1; k < length; ++k) {
+        ball each;
+        arb_swap(each.handle(), about->coeffs + k);
+        reach.add_product(magnitude(each), power);
+        power = power * radius;
+    }
+    arb_poly_clear(about);
+    return widened(value, reach);
 }
 
 void chebyshev_form::extend(std::size_t length) {

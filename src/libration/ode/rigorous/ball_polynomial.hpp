@@ -22,6 +22,9 @@ inline ball shifted(ball a, long e) {
 }
 ball_polynomial derivative_of(const ball_polynomial& a);
 ball value_of(const ball_polynomial& a, const ball& x);
+/// The same for a wide x = m +- r: a(m) +- sum_(k > 0) |a^(k)(m)/k!| r^k, where value_of would add up the cancelling
+/// powers of a number that is known to few digits.
+ball value_over(const ball_polynomial& a, const ball& x);
 
 /// The ring of such polynomials, for polynomial_map.
 struct polynomial_ring {

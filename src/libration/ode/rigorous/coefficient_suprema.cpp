@@ -18,6 +18,17 @@ std::vector<ball_polynomial> rounded(const std::vector<ball_polynomial>& of) {
     return result;
 }
 
+// p' - f for scaled unknowns p and the time x, from f itself.
+std::vector<ball_polynomial> defect_by(const std::vector<ball_polynomial>& slopes, const step_interval& on,
+                                       const std::vector<long>& scales, const std::vector<ball_polynomial>& curve) {
+    const ball half = shifted(on.length, -1);
+    std::vector<ball_polynomial> defect;
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+        defect.push_back(difference_of(derivative_of(curve[i]), shifted(multiple_of(half, slopes[i]), -scales[i])));
+    }
+    return defect;
+}
+
 }  // namespace
 
 ball rate_of(const block_bounds& of) {
@@ -51,22 +62,34 @@ block_bounds coefficient_suprema::bounds_of(const std::vector<ball_polynomial>& 
     return result;
 }
 
+// f and f_y along a curve.
+polynomial_map::result<ball_polynomial> coefficient_suprema::on_curve(const step_interval& on,
+                                                                      const std::vector<long>& scales,
+                                                                      const std::vector<ball_polynomial>& curve,
+                                                                      bool with_entries) const {
+    const ball half = shifted(on.length, -1);
+    std::vector<ball_polynomial> state;
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+        state.push_back(shifted(curve[i], scales[i]));
+    }
+    return map_.in(polynomial_ring{constants_, {on.start + half, half}}, state, with_entries);
+}
+
+std::vector<ball_polynomial> coefficient_suprema::defect(const step_interval& on, const std::vector<long>& scales,
+                                                         const std::vector<ball_polynomial>& curve) const {
+    return defect_by(on_curve(on, scales, curve, false).slopes, on, scales, curve);
+}
+
 step_suprema coefficient_suprema::of(const tube_candidate& found) {
     const std::size_t n = map_.size();
     const ball half = shifted(found.on.length, -1);
     const auto& w = found.frame.inverse;
     step_suprema result;
-    std::vector<ball_polynomial> state;
-    for (std::size_t i = 0; i < n; ++i) {
-        state.push_back(shifted(found.curve[i], found.scales[i]));
-        result.curve.push_back(forms_.supremum(found.curve[i]));
+    for (const ball_polynomial& each : found.curve) {
+        result.curve.push_back(forms_.supremum(each));
     }
-    const auto all = map_.in(polynomial_ring{constants_, {found.on.start + half, half}}, state, true);
-    std::vector<ball_polynomial> defect;
-    for (std::size_t i = 0; i < n; ++i) {
-        const auto slope = shifted(multiple_of(half, all.slopes[i]), -found.scales[i]);
-        defect.push_back(difference_of(derivative_of(found.curve[i]), slope));
-    }
+    const auto all = on_curve(found.on, found.scales, found.curve, true);
+    const auto defect = defect_by(all.slopes, found.on, found.scales, found.curve);
     for (std::size_t i = 0; i < n; ++i) {
         ball_polynomial sum;
         for (std::size_t k = 0; k < n; ++k) {

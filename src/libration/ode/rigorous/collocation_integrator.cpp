@@ -116,6 +116,7 @@ struct collocation_integrator::parts {
     ball time, next;
     tube_set set;
     std::optional<solution_tube> tube;
+    std::optional<std::vector<magnitude>> slope_errors;  // computed on demand
     tube_rule rule = [](tube_proof& by, const tube_candidate& found, const tube_set& start) {
         const bool few = found.curve.size() < least_unknowns_at_nodes;
         return by.tube(found, start, few ? supremum_rule::coefficients : supremum_rule::nodes);
@@ -168,6 +169,7 @@ void collocation_integrator::begin(const ball& time, tube_set start, const ball&
     parts_->next = length;
     parts_->change_length(1);
     parts_->tube.reset();
+    parts_->slope_errors.reset();
     parts_->grown = 1;
     parts_->without_fast = 0;
 }
@@ -184,9 +186,19 @@ bool collocation_integrator::prepare() {
 
 const ball& collocation_integrator::length() const { return parts_->tube->on.length; }
 
+const ball& collocation_integrator::next_length() const { return parts_->next; }
+
 std::vector<ball> collocation_integrator::values_at(const ball& distance) const {
     const precision_scope scope(decimal_digits(parts_->accuracy.product_bits));
     return parts_->tube->values_at(distance);
+}
+
+std::vector<ball> collocation_integrator::slopes_at(const ball& distance) const {
+    const precision_scope scope(decimal_digits(parts_->accuracy.product_bits));
+    if (!parts_->slope_errors) {
+        parts_->slope_errors = parts_->proof->slope_errors(*parts_->tube);
+    }
+    return parts_->tube->slopes_at(distance, *parts_->slope_errors);
 }
 
 void collocation_integrator::step() {
@@ -195,6 +207,7 @@ void collocation_integrator::step() {
     now.without_fast = now.tube->slow == now.map.size() ? now.without_fast + 1 : 0;
     now.set = now.tube->end(now.accuracy.product_bits, now.accuracy.frame_bits);
     now.tube.reset();
+    now.slope_errors.reset();
     now.change_length(now.grown);
 }
 

@@ -57,9 +57,15 @@ public:
         : map_(map), constants_(constants), frame_bits_(frame_bits), forms_(bits) {}
 
     step_suprema of(const tube_candidate& found);
+    /// p' - f(t, p), of scaled unknowns and with the time x.
+    std::vector<ball_polynomial> defect(const step_interval& on, const std::vector<long>& scales,
+                                        const std::vector<ball_polynomial>& curve) const;
     chebyshev_form& forms() { return forms_; }
 
 private:
+    polynomial_map::result<ball_polynomial> on_curve(const step_interval& on, const std::vector<long>& scales,
+                                                     const std::vector<ball_polynomial>& curve,
+                                                     bool with_entries) const;
     void add_linear(const tube_candidate& found, const std::vector<ball_polynomial>& derivative, step_suprema& to);
     block_bounds bounds_of(const std::vector<ball_polynomial>& linear, std::size_t size, column_block b);
 

@@ -7,9 +7,22 @@
 
 namespace libration::ode {
 
+// x of distances.
+ball solution_tube::place_of(const ball& distance) const { return distance / on.length * 2L - 1L; }
+
+std::vector<ball> solution_tube::slopes_at(const ball& distance, const std::vector<magnitude>& errors) const {
+    const ball x = place_of(distance);
+    std::vector<ball> slopes;
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+        const ball by_x = value_over(derivative_of(curve[i]), x);
+        slopes.push_back(widened(shifted(by_x, scales[i] + 1) / on.length, errors[i]));
+    }
+    return slopes;
+}
+
 std::vector<ball> solution_tube::values_at(const ball& distance) const {
     const ball part = distance / on.length;
-    const ball x = part * 2L - 1L;
+    const ball x = place_of(distance);
     const magnitude to_first(ball(1) - part);
     const magnitude to_last(part);
     std::vector<magnitude> radii;
@@ -21,9 +34,9 @@ std::vector<ball> solution_tube::values_at(const ball& distance) const {
     for (std::size_t i = 0; i < n; ++i) {
         std::vector<ball> row;
         for (std::size_t j = 0; j < n; ++j) {
-            row.push_back(value_of(frame[i * n + j], x));
+            row.push_back(value_over(frame[i * n + j], x));
         }
-        const ball scaled = widened(value_of(curve[i], x), reach_of_row(row, blocks, radii));
+        const ball scaled = widened(value_over(curve[i], x), reach_of_row(row, blocks, radii));
         values.push_back(shifted(scaled, scales[i]));
     }
     return values;

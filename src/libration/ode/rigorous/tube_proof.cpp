@@ -42,6 +42,11 @@ std::optional<bound_matrix> bound_of_inverse(const bound_matrix& z, std::size_t 
     return result;
 }
 
+// A bound of |t| on a step.
+magnitude bound_of_time(const step_interval& on) {
+    return std::max(magnitude(on.start), magnitude(on.start + on.length));
+}
+
 std::vector<ball> enclosed_constants(const polynomial_map& map, long bits) {
     const precision_scope scope(decimal_digits(bits));
     std::vector<ball> result;
@@ -165,13 +170,40 @@ std::vector<magnitude> tube_proof::start_radii(const tube_candidate& of, const t
     return radii;
 }
 
+std::vector<magnitude> tube_proof::slope_errors(const solution_tube& of) {
+    const precision_scope scope(decimal_digits(bits_));
+    const std::size_t n = map_.size();
+    const auto blocks = blocks_of(of.blocks);
+    chebyshev_form& forms = by_coefficients_.forms();
+    std::vector<bounded_change> state;
+    for (std::size_t i = 0; i < n; ++i) {
+        bound_matrix row;
+        for (std::size_t j = 0; j < n; ++j) {
+            row.push_back(forms.supremum(of.frame[i * n + j]));
+        }
+        magnitude reach;
+        for (std::size_t b = 0; b < blocks.size(); ++b) {
+            reach.add_product(norm_of(row.data(), blocks[b]), std::max(of.first[b], of.last[b]));
+        }
+        state.push_back({forms.supremum(of.curve[i]).shifted(of.scales[i]), reach.shifted(of.scales[i])});
+    }
+    const auto change = map_.in(change_ring{constant_bounds_, bound_of_time(of.on)}, state, false).slopes;
+    const auto defect = by_coefficients_.defect(of.on, of.scales, of.curve);
+    const magnitude half = magnitude::below(of.on.length).shifted(-1);
+    std::vector<magnitude> errors;
+    for (std::size_t i = 0; i < n; ++i) {
+        errors.push_back((forms.supremum(defect[i]) / half).shifted(of.scales[i]) + change[i].change);
+    }
+    return errors;
+}
+
 std::optional<solution_tube> tube_proof::tube(const tube_candidate& of, const tube_set& start, supremum_rule by) {
     const precision_scope scope(decimal_digits(bits_));
     bounds known;
     known.size = map_.size();
     known.blocks = blocks_of(of.frame.blocks);
     known.half = magnitude(of.on.length).shifted(-1);
-    known.time = std::max(magnitude(of.on.start), magnitude(of.on.start + of.on.length));
+    known.time = bound_of_time(of.on);
     known.scales = &of.scales;
     known.of = by == supremum_rule::nodes ? by_nodes_.of(of) : by_coefficients_.of(of);
     auto correction = bound_of_inverse(known.of.unit, known.size);

@@ -22,6 +22,9 @@ public:
     std::vector<ball> chebyshev(const ball_polynomial& of);
     /// A tube that contains every solution beginning in the set; std::nullopt if the inequalities are not proved.
     std::optional<solution_tube> tube(const tube_candidate& of, const tube_set& start, supremum_rule by);
+    /// Bounds of |y' - P'| on the step for every solution y in a proved tube, P(t) its curve: y' = f(t, y), so that it
+    /// is at most |P' - f(t, P)| + |f(t, y) - f(t, P)|.
+    std::vector<magnitude> slope_errors(const solution_tube& of);
 
 private:
     struct bounds;

@@ -247,7 +247,9 @@ answer taylor_solution::limits(const request& how) const {
 
 answer taylor_solution::events(const std::string& condition, long count, const request& how) const {
     const ode::event_request asked{.g = ode::parse_condition(equations_, condition), .count = count};
-    auto found = ode::searched_events(system_, asked, how.printed_digits());
+    ode::proof_route route;
+    route.integrator = how.integrator;
+    auto found = ode::searched_events(system_, asked, how.printed_digits(), route);
     answer result{.names = quantities(), .rows = {}, .rigour = "proved"};
     result.names.insert(result.names.begin(), "time");
     for (const ode::printed_event& event : found.events) {
@@ -256,6 +258,7 @@ answer taylor_solution::events(const std::string& condition, long count, const r
         std::ranges::transform(event.values, std::back_inserter(row), value_of);
     }
     result.missing = std::move(found.missing);
+    result.collocation = std::move(found.collocation);
     return result;
 }
 
