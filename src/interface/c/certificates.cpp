@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <system_error>
 
 #include "answers.hpp"
 #include "guarded.hpp"
@@ -38,11 +40,19 @@ printed_rows decimals_of(const libration_table& of, std::size_t first, long digi
     return rows;
 }
 
+// Beside the file, which it replaces when it is complete.
 void write_file(const std::string& path, const std::string& content) {
-    std::ofstream file(path, std::ios::binary);
+    const std::string beside = path + ".new";
+    std::ofstream file(beside, std::ios::binary);
     file << content;
     file.close();
-    if (!file) {
+    std::error_code failure;
+    if (file) {
+        std::filesystem::rename(beside, path, failure);
+    }
+    if (!file || failure) {
+        std::error_code none_to_remove;
+        std::filesystem::remove(beside, none_to_remove);
         throw error(error_kind::argument, "path", path,
                     "cannot be written: choose a file in a folder that exists and that you may write in");
     }
