@@ -358,7 +358,7 @@ lifted_system lifted(const explicit_system& of) {
     return lifting(of).result();
 }
 
-lifted_system lifted_about_points(const explicit_system& of) { return lifting(of).result({}).form; }
+lifted_system lifted_about_points(const explicit_system& of) { return lifting(of).result(); }
 
 explicit_system with_variations(const lifted_system& of) {
     const std::size_t count = of.leaves.size();
