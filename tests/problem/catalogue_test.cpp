@@ -166,7 +166,13 @@ TEST_CASE("the catalogue has the problems it promises", "[problem][catalogue]") 
                                    "ring_modulator",
                                    "brusselator_1d",
                                    "plate",
-                                   "cusp"};
+                                   "cusp",
+                                   "bouncing_ball",
+                                   "relay",
+                                   "detest_f1",
+                                   "detest_f2",
+                                   "detest_f3",
+                                   "detest_f4"};
     for (const char group : std::string("abcde")) {
         for (const char which : std::string("12345")) {
             names.push_back(std::string("detest_") + group + which);
@@ -197,7 +203,11 @@ TEST_CASE("every problem's series fulfils its equations, its integrals and its c
     const precision_scope scope(40);
     for (const catalogue_entry& entry : catalogue()) {
         INFO(entry.name);
-        const explicit_system system(parse(entry.text));
+        const equation_system equations = parse(entry.text);
+        if (!equations.is_smooth()) {
+            continue;
+        }
+        const explicit_system system(equations);
         right_sides f(system, system.invariants());
         taylor_march<mpfr> march(system);
         const mpfr origin = constant_value<mpfr>::of(system.point());

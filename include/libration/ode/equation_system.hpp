@@ -49,6 +49,40 @@ struct open_parameter {
     place at = {};
 };
 
+/// The direction in which a function crosses 0 as t increases.
+enum class crossing { any, up, down };
+
+/// The value of an unknown or of a lower derivative after an event, in terms of the values before it.
+struct reset {
+    expression of;
+    expression value;
+    place at = {};
+};
+
+/// What happens whenever a function of the solution crosses 0 in a direction: resets, all from the values before the
+/// event, or the end of the solution.
+struct state_event {
+    expression condition;  ///< left - right of `when left = right`
+    crossing way = crossing::any;
+    std::vector<reset> resets = {};
+    bool stop = false;
+    std::string text = {};  ///< as written
+    place at = {};
+};
+
+enum class step_kind { sign, floor };
+
+/// sign(argument) or floor(argument/divisor) in the equations, in which a parameter of this name represents it. The
+/// argument may contain earlier step functions.
+struct step_function {
+    std::string parameter = {};
+    step_kind kind = step_kind::sign;
+    expression argument = {};
+    number divisor = number(rational(1));  ///< positive
+    std::string text = {};                 ///< as written: abs(x), if(x > 0, a, b)
+    place at = {};
+};
+
 /// Differential equations in any sequence and of any order, from text (parse.hpp) or C++:
 ///     const auto f = ode::unknown("f");
 ///     ode::equation_system blasius;
@@ -63,6 +97,8 @@ struct equation_system {
     std::vector<equation> invariants;  ///< constant along a solution: the left-hand side; the right-hand side is 0
     std::vector<definition> exact;     ///< the closed form of the unknown of this name
     std::vector<open_parameter> open;  ///< of a text: parameters that it leaves open, to be set before solving
+    std::vector<state_event> events;   ///< at which the solution jumps or ends
+    std::vector<step_function> steps;  ///< the step functions of piecewise right-hand sides
 
     /// left = right.
     equation_system& add(const expression& left, const expression& right = 0);
@@ -79,6 +115,8 @@ struct equation_system {
     bool is_open(const std::string& name) const;
     /// The highest derivative of an unknown in the equations; 0 if it does not occur.
     int order_of(const std::string& unknown) const;
+    /// Whether it has neither events nor step functions.
+    bool is_smooth() const { return events.empty() && steps.empty(); }
 };
 
 /// The values of the parameters of a system, each computed once; they may depend on each other at any depth.

@@ -7,7 +7,8 @@
 
 namespace libration {
 
-/// problems/NAME.ode or, of a stiff problem, problems/stiff/NAME.ode.
+/// problems/NAME.ode, of a stiff problem problems/stiff/NAME.ode, of one with events or a piecewise right-hand side
+/// problems/hybrid/NAME.ode.
 struct catalogue_entry {
     std::string_view name;
     std::string_view text;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "libration/ode/parse.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "libration/problem/problem_family.hpp"
 
@@ -28,7 +29,8 @@ inline const problem_family& catalogue_as_problem() {
     return result;
 }
 
-/// The names given by the values of that axis: all means the whole catalogue.
+/// The names given by the values of that axis: all means the whole catalogue, except problems with events and piecewise
+/// right-hand sides.
 inline std::vector<std::string> problem_names_of(const std::vector<exact>& words) {
     std::vector<std::string> names;
     for (const exact& word : words) {
@@ -37,7 +39,9 @@ inline std::vector<std::string> problem_names_of(const std::vector<exact>& words
             continue;
         }
         for (const catalogue_entry& each : catalogue()) {
-            names.emplace_back(each.name);
+            if (ode::parse(each.text).is_smooth()) {
+                names.emplace_back(each.name);
+            }
         }
     }
     return names;

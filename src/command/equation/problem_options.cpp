@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "equation/change_words.hpp"
+#include "libration/ode/hybrid/proved/first_steps.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/ode/unused_parameters.hpp"
 #include "libration/problem/catalogue.hpp"
@@ -237,6 +238,17 @@ ode::equation_system problem_options::equations(
     }
     require_values(system, *problem_);
     return system;
+}
+
+ode::explicit_system problem_options::choose_first_branch() const {
+    const auto system = equations();
+    if (system.is_smooth()) {
+        return choose();
+    }
+    return naming_option(changes_.empty() ? "--problem" : "--problem with --set", [&] {
+        const ode::hybrid_system hybrid(system);
+        return hybrid.first_branch(ode::steps_after_start(hybrid));
+    });
 }
 
 ode::explicit_system problem_options::choose() const {

@@ -125,13 +125,16 @@ private:
 };
 
 void check_events(const ode::explicit_system& system, ode::event_request request, long digits,
-                  const std::vector<ode::printed_event>& first) {
+                  const event_searcher& search, const std::vector<ode::printed_event>& first) {
     if (first.empty()) {
         return;
     }
     request.count = static_cast<long>(first.size());
-    const auto second =
-        ode::proved_events(system, request, digits + ode::more_digits_of_second_proof, ode::proof_route::second());
+    const auto report = search(request, digits + ode::more_digits_of_second_proof, ode::proof_route::second(), {});
+    if (report.missing) {
+        throw error(*report.missing);
+    }
+    const auto& second = report.events;
     const auto columns = columns_of_states(system);
     for (std::size_t i = 0; i < first.size(); ++i) {
         const std::string event = fmt::format(" of event {}", i + 1);
@@ -145,19 +148,19 @@ void check_events(const ode::explicit_system& system, ode::event_request request
 }  // namespace
 
 events_found problem_events(const ode::explicit_system& system, const ode::event_request& request, long digits,
-                            const ode::proof_route& route, bool check, const std::function<void(const table&)>& write) {
+                            const ode::proof_route& route, bool check, const event_searcher& search,
+                            const std::function<void(const table&)>& write) {
     const auto checked = checked_products(check);
     search_progress shown(system, request);
     known_so_far known;
     const at_ending_signal interrupted([&] { known.end(system, request, digits, write); });
-    const auto report =
-        ode::searched_events(system, request, digits, route,
-                             [&](const ball& reached, long bits, const std::vector<ode::printed_event>& events) {
-                                 shown.reached(reached, bits, events.size());
-                                 known.tell(reached, events);
-                             });
+    const auto report = search(request, digits, route,
+                               [&](const ball& reached, long bits, const std::vector<ode::printed_event>& events) {
+                                   shown.reached(reached, bits, events.size());
+                                   known.tell(reached, events);
+                               });
     if (check) {
-        check_events(system, request, digits, report.events);
+        check_events(system, request, digits, search, report.events);
     }
     return {table_of_events(system, report.events, digits), report.missing, report.collocation};
 }

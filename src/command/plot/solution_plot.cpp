@@ -86,7 +86,7 @@ figure_content event_plot(const problem_options& problem, const table& events, c
     const precision_scope scope(figure_digits);
     const auto names = members_of(events.columns(), &column::name);
     const auto time = static_cast<std::size_t>(std::ranges::find(names, "time") - names.begin());
-    const mpfr first = ode::constant_value<mpfr>::of(problem.choose().point());
+    const mpfr first = ode::constant_value<mpfr>::of(problem.choose_first_branch().point());
     const mpfr last(events.rows().back()[time].text());
     std::vector<exact> times;
     for (int i = 0; i <= steps; ++i) {

@@ -13,6 +13,7 @@
 #include "equation/problem_options.hpp"
 #include "equation/problem_trajectory.hpp"
 #include "equation/solution_table.hpp"
+#include "libration/ode/hybrid/proved/hybrid_trajectory.hpp"
 #include "libration/problem/known/pendulum_solution.hpp"
 #include "motion/event_options.hpp"
 #include "motion/motion_cells.hpp"
@@ -216,6 +217,27 @@ void certify(long digits, const Write& write) {
     to(1);
 }
 
+event_searcher searcher_of(const ode::equation_system& equations, const ode::explicit_system& system) {
+    if (equations.is_smooth()) {
+        return [&system](const auto& request, long digits, const auto& route, const auto& watch) {
+            return ode::searched_events(system, request, digits, route, watch);
+        };
+    }
+    return [hybrid = ode::hybrid_system(equations)](const auto& request, long digits, const auto& route,
+                                                    const auto& watch) {
+        return ode::searched_hybrid_events(hybrid, request, digits, route, watch);
+    };
+}
+
+// Throws for what is written of the steps of a smooth system alone.
+void require_certifiable(const reference_options& options) {
+    if (!options.problem.equations().is_smooth()) {
+        const char* const reason = "is not supported for a problem with events or a piecewise right-hand side";
+        require_no_certificate(options, reason);
+        require_no_times(options, reason);
+    }
+}
+
 // The times at which a condition holds.
 int write_events(const reference_options& options, long digits) {
     refuse_motions(options);
@@ -224,7 +246,9 @@ int write_events(const reference_options& options, long digits) {
         throw input_error("--times", *options.times, "is given together with --until, which finds the times",
                           "leave one out");
     }
-    const auto system = options.problem.choose();
+    const auto system = options.problem.choose_first_branch();
+    const auto search = searcher_of(options.problem.equations(), system);
+    require_certifiable(options);
     const auto request = options.events.request(options.problem, system);
     if (request.from_start) {
         require_no_certificate(options, "contains the times after the initial point, and not that of --from-start");
@@ -239,7 +263,7 @@ int write_events(const reference_options& options, long digits) {
     route.integrator = options.integrator.choice();
     const auto found = naming_option("--until", [&] {
         return integrator_options::naming(
-            [&] { return problem_events(system, request, digits, route, options.check, write); });
+            [&] { return problem_events(system, request, digits, route, options.check, search, write); });
     });
     if (!found.missing || !found.data.rows().empty()) {
         if (figure && !found.data.rows().empty()) {
@@ -263,6 +287,7 @@ asked_solution problem_of_options(const reference_options& options, std::unique_
     if (!options.times) {
         throw input_error("no times are given: add --times LIST, or --until \"x = 0\"");
     }
+    require_certifiable(options);
     if (options.trace && !of->closed_form().empty()) {
         throw input_error("--trace", *options.trace, "has no steps to record, since a closed form is used",
                           "add --general, or leave it out");
@@ -339,7 +364,7 @@ int run_reference(const reference_options& options) {
     const auto figure = options.plot.file(options.output);
     const auto family = options.problem.is_chosen() ? options.problem.family() : std::vector<family_member>(1);
     if (figure && options.problem.is_chosen()) {
-        options.plot.require_known(columns_of_states(family.front().problem.choose()));
+        options.plot.require_known(columns_of_states(family.front().problem.choose_first_branch()));
     }
     const auto asked = asked_by(options, family, digits);
     const bool closed = std::ranges::any_of(asked, [](const auto& each) { return !each.of->closed_form().empty(); });

@@ -219,7 +219,7 @@ int run_trajectory(const trajectory_options& options) {
                             ? options.problem.family(is_integrated_in_double(options) ? most_in_double : most_otherwise)
                             : std::vector<family_member>(1);
     if (figure && of_problem) {
-        options.plot.require_known(columns_of_states(family.front().problem.choose()));
+        options.plot.require_known(columns_of_states(family.front().problem.choose_first_branch()));
     }
     const std::vector<partial_table> parts = parts_of(options, family);
     const partial_table found = parts.size() == 1 ? parts.front() : family_table(family, parts);

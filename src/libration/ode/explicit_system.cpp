@@ -49,6 +49,18 @@ bool same_number(const number& a, const number& b) {
     return difference && difference->coefficient == 0;
 }
 
+// Events and step functions need a sequence of smooth systems (hybrid/hybrid_system.hpp).
+void require_smooth(const equation_system& given) {
+    const std::string reason =
+        ", which is supported for values at times and for events (reference, trajectory) alone: leave it out";
+    if (!given.events.empty()) {
+        refuse(given.events.front().text, given.events.front().at, "is an event" + reason);
+    }
+    if (!given.steps.empty()) {
+        refuse(given.steps.front().text, given.steps.front().at, "is piecewise" + reason);
+    }
+}
+
 }  // namespace
 
 std::map<std::string, std::size_t> places_of(const std::vector<unknown_function>& unknowns) {
@@ -60,6 +72,7 @@ std::map<std::string, std::size_t> places_of(const std::vector<unknown_function>
 }
 
 explicit_system::explicit_system(const equation_system& given) : variable_(given.variable) {
+    require_smooth(given);
     parameter_values parameters(given);
     read_unknowns(given);
     read_starts(given, parameters);

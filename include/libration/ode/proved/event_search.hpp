@@ -11,10 +11,8 @@
 
 namespace libration::ode {
 
-/// The direction in which a function crosses 0 as t increases, independent of the direction of the search.
-enum class crossing { any, up, down };
-
-/// A zero of g, isolated in its enclosure, and the unknowns there. `way` is `any` if g touches 0 at the initial point.
+/// A zero of g, isolated in its enclosure, and the unknowns there. `way` is the direction as t increases, independent of
+/// that of the search; `any` if g touches 0 at the initial point.
 struct proved_event {
     ball time;
     std::vector<ball> state;
@@ -38,6 +36,16 @@ struct undecided_place {
     /// Whether the search stopped because the step was cut into most_pieces_of_a_step pieces: then more bits do not
     /// help.
     bool too_many_pieces = false;
+};
+
+/// The beginning of a search from a set of states at the point of the system.
+struct search_start {
+    std::vector<ball> state;
+    /// A ball that contains the time after which zeros are searched, and no time before the point; the point itself if
+    /// there is none. The solutions are continued back from that time to the point by the equations.
+    std::optional<ball> begins = {};
+    int sign = 1;          ///< of g directly after that time
+    bool at_zero = false;  ///< whether g is 0 at that time, and its derivative has this sign
 };
 
 /// All zeros of gamma(t) = g(t, y(t)) in the open interval after the initial point, in order: theorem E.
@@ -66,6 +74,10 @@ public:
     /// error like sign_at_start, and for a singular initial point if g has a zero within the first step, or backwards.
     event_search(const explicit_system& system, const expression& g, long bits, int direction = 1,
                  const proof_route& route = {}, march_watch watch = {});
+    /// The same forwards from a set of states. A zero whose time is not certainly after start.begins need not be one of
+    /// the solution.
+    event_search(const explicit_system& system, const expression& g, const search_start& start, long bits,
+                 const proof_route& route = {}, march_watch watch = {});
 
     /// Maximum number of pieces of one step of a search.
     static constexpr long most_pieces_of_a_step = 4'000;
@@ -75,8 +87,8 @@ public:
     /// The initial point as an event if g is exactly 0 there; std::nullopt otherwise.
     std::optional<proved_event> at_start() const;
     /// The next zero that is crossed in this direction and is not certainly beyond `end`; std::nullopt for the reason
-    /// end(). The horizon applies without an end, or if it is given; a search that reached it continues when called
-    /// again.
+    /// end(). The horizon applies without an end, or if it is given; a search that reached it, or an earlier end,
+    /// continues when called again, with the same direction.
     std::optional<proved_event> next(crossing way, const std::optional<number>& end,
                                      const std::optional<long>& horizon = std::nullopt);
 
@@ -105,6 +117,7 @@ private:
     ball of_state(const expression& e, const ball& distance) const { return values_at(distance).of(e); }
     ball slope_at(const ball& distance, expression_values<ball>& values) const;
     int sign_at(const ball& distance) const;
+    bool covers_beginning(const step_piece& p) const;
     bool is_start(const step_piece& p) const { return start_.order > 0 && march_.steps() == 0 && p.at_0(); }
     bool begin_step(const std::optional<ball>& end, long last_step);
     verdict judged(step_piece& p);
@@ -128,6 +141,7 @@ private:
     int direction_;
     march_watch watch_;
     start_sign start_;
+    std::optional<ball> after_;            // the end of the ball in which a search from a set begins
     int sign_ = 1;                         // of g when it was last certain
     bool open_ = false;                    // g has been monotone towards 0 since then
     std::vector<proved_event> parts_;      // and the possible locations of its zero on these pieces
@@ -135,6 +149,7 @@ private:
     long examined_ = 0;                    // number of halved pieces
     const enclosed_step* step_ = nullptr;  // that is being examined
     bool has_own_slopes_ = false;          // enclosed_step::slopes_at
+    std::optional<proved_event> beyond_;   // found behind the end of a search
     search_end end_ = search_end::none;
     std::optional<undecided_place> undecided_;
 };

@@ -16,6 +16,16 @@ namespace {
 constexpr int first_pieces = 4;
 constexpr long few_digits = 20;  // the initial precision in which pieces are examined
 
+// The derivatives with respect to the leaves, and to the variable.
+std::vector<expression> gradient_of(const first_order_form& form, const expression& g) {
+    std::vector<expression> derivatives;
+    for (const expression& each : form.leaves) {
+        derivatives.push_back(partial(g, each));
+    }
+    derivatives.push_back(partial(g, variable()));
+    return derivatives;
+}
+
 }  // namespace
 
 event_search::event_search(const explicit_system& system, const expression& g, long bits, int direction,
@@ -23,15 +33,12 @@ event_search::event_search(const explicit_system& system, const expression& g, l
     : form_(system),
       g_(form_.in_leaves(g)),
       slope_(form_.slope_of(g_)),
+      gradient_(gradient_of(form_, g_)),
       march_(system, bits, {}, proved_march::usual_error_bits, route),
       digits_(decimal_digits(bits) + 10),
       direction_(direction < 0 ? -1 : 1),
       watch_(std::move(watch)) {
     const precision_scope scope(digits_);
-    for (const expression& each : form_.leaves) {
-        gradient_.push_back(partial(g_, each));
-    }
-    gradient_.push_back(partial(g_, variable()));
     if (system.singular()) {
         require_no_event_before_first_step(constant_value<ball>::of(system.point()));
         return;
@@ -39,6 +46,20 @@ event_search::event_search(const explicit_system& system, const expression& g, l
     start_ = sign_at_start(form_, g_, slope_, system.point());
     sign_ = start_.beside(direction_);
 }
+
+event_search::event_search(const explicit_system& system, const expression& g, const search_start& start, long bits,
+                           const proof_route& route, march_watch watch)
+    : form_(system),
+      g_(form_.in_leaves(g)),
+      slope_(form_.slope_of(g_)),
+      gradient_(gradient_of(form_, g_)),
+      march_(system, start.state, bits, proved_march::usual_error_bits, {}, route),
+      digits_(decimal_digits(bits) + 10),
+      direction_(1),
+      watch_(std::move(watch)),
+      start_{start.at_zero ? 1 : 0, start.sign, start.at_zero ? slope_ : g_},
+      after_(start.begins ? std::optional(upper_bound(*start.begins)) : std::nullopt),
+      sign_(start.sign) {}
 
 void event_search::require_no_event_before_first_step(const ball& start) {
     if (direction_ < 0) {
@@ -116,13 +137,19 @@ std::optional<proved_event> event_search::at_start() const {
     return event;
 }
 
+// Whether a piece from the initial point contains the whole ball in which a search from a set begins.
+bool event_search::covers_beginning(const step_piece& p) const {
+    return !after_ || !exactly_less(lower_bound(march_.reached() + p.to), *after_);
+}
+
 // No zero except at the initial point: gamma^(k) excludes 0 on the piece.
 event_search::verdict event_search::judged_at_start(const step_piece& p) {
     const ball span = span_of(p);
-    if (known_sign(of_state(start_.leading, span)) != 0) {
+    const bool covered = covers_beginning(p);
+    if (covered && known_sign(of_state(start_.leading, span)) != 0) {
         return {finding::no_zero, sign_};
     }
-    return p.is_narrow(march_.bits()) ? undecided_on(span, sampled(span)) : verdict{finding::open, 0};
+    return !covered || p.is_narrow(march_.bits()) ? undecided_on(span, sampled(span)) : verdict{finding::open, 0};
 }
 
 event_search::verdict event_search::undecided_on(const ball& span, const sample& all) {
@@ -374,6 +401,15 @@ std::optional<proved_event> event_search::next(crossing way, const std::optional
                            : end   ? std::numeric_limits<long>::max()
                                    : march_.steps() + usual_horizon;
     end_ = search_end::none;
+    for (step_piece& each : pieces_) {  // of a search with an earlier end
+        each.beyond = each.beyond && last && known_sign((*last - march_.reached()) * direction_ - each.from) <= 0;
+    }
+    if (beyond_ && !is_beyond(beyond_->time)) {
+        return std::exchange(beyond_, std::nullopt);
+    }
+    if (beyond_) {
+        end_ = search_end::time;
+    }
     try {
         while (end_ == search_end::none) {
             if (pieces_.empty() && !begin_step(last, last_step)) {
@@ -386,12 +422,14 @@ std::optional<proved_event> event_search::next(crossing way, const std::optional
             step_piece next = std::move(pieces_.back());
             pieces_.pop_back();
             auto event = examined(std::move(next));
-            if (event && is_beyond(event->time)) {
-                end_ = search_end::time;
-            } else if (event && (way == crossing::any || way == event->way)) {
-                march_.use_prepared(event->time, direction_);
+            if (!event || (way != crossing::any && way != event->way)) {
+                continue;
+            }
+            if (!is_beyond(event->time)) {
                 return event;
             }
+            beyond_ = std::move(event);
+            end_ = search_end::time;
         }
     } catch (const precision_exhausted&) {
         end_ = search_end::precision;

@@ -3,8 +3,10 @@
 
 #include <string>
 
+#include "libration/ode/constant_value.hpp"
 #include "libration/scalar/ball/decimal.hpp"
 #include "libration/scalar/ball/predicates.hpp"
+#include "libration/scalar/text/decimal.hpp"
 
 namespace libration::ode {
 
@@ -18,6 +20,11 @@ inline std::string proved_reach_text(const ball& reached, bool forward) {
     const precision_scope scope(20);
     const mpfr bound = midpoint_of(forward ? lower_bound(reached) : upper_bound(reached));
     return bound == 0 ? "0" : parts_of(bound, 12, forward ? MPFR_RNDD : MPFR_RNDU).text();
+}
+
+inline std::string text_of_time(const number& time) {
+    const precision_scope scope(20);
+    return to_decimal(constant_value<mpfr>::of(time), 12);
 }
 
 /// The bits of a run, and of the next one.

@@ -5,50 +5,13 @@
 #include <utility>
 
 #include "condition_system.hpp"
+#include "event_values.hpp"
 #include "libration/scalar/error.hpp"
 #include "needed_bits.hpp"
 
 namespace libration::ode {
 
 namespace {
-
-// An event undecided with this number of bits, and this multiple of those of the first run, is rejected.
-constexpr long most_undecided_bits = 4096;
-constexpr long most_undecided_factor = 16;
-constexpr long digits_of_bounds = 12;
-
-// The value of each unknown that g = 0 determines by itself: that of a leaf in which g is linear, without other leaves.
-std::vector<std::optional<number>> given_values(const explicit_system& system, const expression& g) {
-    std::vector<std::optional<number>> values;
-    for (const unknown_function& each : system.unknowns()) {
-        for (int j = 0; j < each.order; ++j) {
-            const expression leaf = unknown(each.name, j);
-            const expression factor = partial(g, leaf);
-            values.emplace_back();
-            if (factor.kind() != node_kind::constant || factor.is(0)) {
-                continue;  // g is not linear in it, and may have no value where the leaf is 0
-            }
-            const expression rest = replaced(g, [&](const expression& other) -> std::optional<expression> {
-                return same_form(other, leaf) ? std::optional(expression()) : std::nullopt;
-            });
-            if (rest.kind() == node_kind::constant) {
-                values.back() = -(rest.constant() / factor.constant());
-            }
-        }
-    }
-    return values;
-}
-
-// An exact number, rounded down or up.
-std::string bound_text(const ball& exact, mpfr_rnd_t rounding) {
-    const mpfr value = midpoint_of(exact);
-    return value == 0 ? "0" : parts_of(value, digits_of_bounds, rounding).text();
-}
-
-// Decimals between which every number of the ball lies.
-std::string bounds_text(const ball& x) {
-    return "[" + bound_text(lower_bound(x), MPFR_RNDD) + ", " + bound_text(upper_bound(x), MPFR_RNDU) + "]";
-}
 
 class event_runs {
 public:

@@ -46,11 +46,6 @@ inline std::vector<asked_time> in_order(const explicit_system& system, const std
     return order;
 }
 
-inline std::string text_of_time(const number& time) {
-    const precision_scope scope(20);
-    return to_decimal(constant_value<mpfr>::of(time), 12);
-}
-
 /// The state at a time, of an integration from the initial point: at a singular initial point its values themselves;
 /// throws for times before it.
 inline std::optional<std::vector<ball>> state_at(proved_march& march, const explicit_system& system, const number& time,

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "event_statement.hpp"
 #include "libration/ode/parse.hpp"
 #include "names.hpp"
 #include "statement.hpp"
@@ -19,7 +20,9 @@ std::string text_of_token(const token& word) {
     switch (word.kind) {
         case token_kind::numeral: return word.raised ? word.value.str() : word.text;
         case token_kind::name: return primed(word.text, word.primes);
-        case token_kind::symbol: return word.symbol == ',' ? ", " : std::string(1, word.symbol);
+        case token_kind::symbol:
+            return word.symbol == ',' || word.symbol == ':' ? std::string(1, word.symbol) + " "
+                                                            : std::string(1, word.symbol);
     }
     return {};
 }
@@ -36,11 +39,12 @@ public:
 
     std::string text() const {
         std::string result;
-        const bool keyword = is_keyword(words_, "variable") || is_keyword(words_, "exact") || is_invariant(words_);
+        const bool keyword =
+            is_keyword(words_, "variable") || is_keyword(words_, "exact") || is_invariant(words_) || is_event(words_);
         for (std::size_t i = 0; i < words_.size(); ++i) {
             const bool spaced = is_symbol(words_[i], '=') || is_operator_of_sum(words_, i);
             result += spaced ? " " + text_of_token(words_[i]) + " " : text_of_token(words_[i]);
-            if (keyword && i == 0) {
+            if ((keyword && i == 0) || is_direction(words_, i + 1)) {
                 result += " ";
             } else if (words_[i].kind == token_kind::numeral && i + 1 < words_.size() && is_operand(words_[i + 1])) {
                 result += has_unit_behind(i) ? "" : "*";

@@ -6,6 +6,7 @@
 
 #include "formula_refusals.hpp"
 #include "libration/scalar/error.hpp"
+#include "piecewise.hpp"
 
 namespace libration::ode {
 
@@ -17,8 +18,8 @@ constexpr int deepest_formula = 100;
 class formula_parser {
 public:
     formula_parser(const statement& words, std::size_t first, std::size_t last, const known_names& names,
-                   formula_role role, conditions_at_times* values)
-        : words_(words), next_(first), last_(last), names_(names), role_(role), values_(values) {}
+                   formula_role role, conditions_at_times* values, std::vector<step_function>* steps)
+        : words_(words), next_(first), last_(last), names_(names), role_(role), values_(values), steps_(steps) {}
 
     expression read() {
         expression value = sum();
@@ -227,6 +228,9 @@ private:
         if (is_function_name(word.text)) {
             return function(word);
         }
+        if (const auto kind = piecewise_named(word.text); kind && word.primes == 0 && at_symbol('(')) {
+            return piecewise(*kind, next_ - 1);
+        }
         if (values_ != nullptr && (names_.unknowns.contains(word.text) || word.text == names_.variable)) {
             return value_at_time(next_ - 1);
         }
@@ -271,6 +275,40 @@ private:
         refuse_comma(word, " has two arguments: write " + call);
         close(opened);
         return folded(word.at, [&] { return apply(f, first, x); });
+    }
+
+    // if(x > 0, a, b), abs(x), ..., the name at this index.
+    expression piecewise(piecewise_kind kind, std::size_t name) {
+        const token& word = words_[name];
+        if (steps_ == nullptr) {
+            refuse(word.text, word.at, "is piecewise, which is supported only in equations: write one of its branches");
+        }
+        take('(');
+        const place opened = words_[next_ - 1].at;
+        std::vector<expression> arguments{kind == piecewise_kind::conditional ? difference_in_condition(opened)
+                                                                              : before_end(opened)};
+        while (take(',')) {
+            arguments.push_back(before_end(opened));
+        }
+        close(opened);
+        if (arguments.size() != arguments_of(kind)) {
+            refuse(text_of(words_, name, next_), word.at,
+                   "has another number of arguments than " + std::to_string(arguments_of(kind)) + ": write " +
+                       form_of(kind));
+        }
+        const std::string text = text_of(words_, name, next_);
+        return folded(word.at, [&] { return step_collector(*steps_).value_of(kind, arguments, text, word.at); });
+    }
+
+    // a - b of the condition a > b, b - a of a < b.
+    expression difference_in_condition(const place& opened) {
+        const expression left = before_end(opened);
+        const token& sign = words_[next_];
+        if (!take('<') && !take('>')) {
+            refuse(sign.text, sign.at, "is not a comparison: write " + form_of(piecewise_kind::conditional));
+        }
+        const expression right = before_end(opened);
+        return sign.symbol == '>' ? left - right : right - left;
     }
 
     void refuse_comma(const token& word, const std::string& reason) const {
@@ -335,6 +373,7 @@ private:
     const known_names& names_;
     formula_role role_;
     conditions_at_times* values_;
+    std::vector<step_function>* steps_;
     int depth_ = 0;
     std::optional<std::size_t> joined_at_;  // the index of the number, if the last factor was one before a name
 };
@@ -342,8 +381,8 @@ private:
 }  // namespace
 
 expression read_formula(const statement& words, std::size_t first, std::size_t last, const known_names& names,
-                        formula_role role, conditions_at_times* values) {
-    return formula_parser(words, first, last, names, role, values).read();
+                        formula_role role, conditions_at_times* values, std::vector<step_function>* steps) {
+    return formula_parser(words, first, last, names, role, values, steps).read();
 }
 
 }  // namespace libration::ode

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "libration/scalar/expression.hpp"
+#include "piecewise.hpp"
 
 namespace libration::ode {
 
@@ -169,7 +170,8 @@ std::vector<open_parameter> open_names(const std::vector<statement>& all, const 
         const bool value = is_definition(words, known) || is_start(words, known.variable);
         for (std::size_t i = keyword ? 1 : 0; i < words.size(); ++i) {
             const token& word = words[i];
-            const bool called = symbol_at(words, i + 1, '(') && words[i + 1].touches;
+            const bool called =
+                symbol_at(words, i + 1, '(') && (words[i + 1].touches || piecewise_named(word.text).has_value());
             const bool period = value && word.text == "T" && i > 0 && words[i - 1].kind == token_kind::numeral;
             if (is_name(word) && word.primes == 0 && !called && !period && !has_meaning(word.text, known) &&
                 found.insert(word.text).second) {

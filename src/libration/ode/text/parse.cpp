@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "event_statement.hpp"
 #include "formula_parser.hpp"
 #include "libration/ode/unused_parameters.hpp"
 #include "libration/scalar/text/near_word.hpp"
@@ -23,7 +24,10 @@ public:
         const auto declared = declared_variable(all_);
         const auto of_quotients = with_primes(all_, declared);
         names_ = names_in(all_, declared ? *declared : of_quotients ? *of_quotients : inferred_variable(all_));
-        result_.open = open_names(all_, names_);
+        events_ = take_events(all_);
+        std::vector<statement> with_names = all_;
+        std::ranges::move(statements_in(events_), std::back_inserter(with_names));
+        result_.open = open_names(with_names, names_);
         for (const open_parameter& each : result_.open) {
             names_.parameters.insert(each.name);
         }
@@ -50,6 +54,9 @@ public:
         if (result_.equations.empty()) {
             refuse("", {}, "has no equation: write one, as y' = y");
         }
+        for (const event_statement& each : events_) {
+            read_event(each);
+        }
         return std::move(result_);
     }
 
@@ -68,8 +75,11 @@ public:
         } else if (is_definition(words, names_)) {
             read_parameter(words);
         } else {
-            result_.equations.push_back(
-                {formula(words, 0, equals), formula(words, equals + 1, words.size()), words[0].at});
+            const auto side = [&](std::size_t first, std::size_t last) {
+                return read_formula(words, first, last, names_, formula_role::equation, nullptr, &result_.steps);
+            };
+            expression left = side(0, equals);
+            result_.equations.push_back({std::move(left), side(equals + 1, words.size()), words[0].at});
         }
     }
 
@@ -78,11 +88,13 @@ public:
     // The parameters that occur only in their definition.
     std::vector<std::string> unused() const {
         std::map<std::string_view, int> times;
-        for (const statement& words : all_) {
+        const auto count = [&](const statement& words) {
             for (const token& word : words) {
                 times[word.text] += word.kind == token_kind::name ? 1 : 0;
             }
-        }
+        };
+        std::ranges::for_each(all_, count);
+        std::ranges::for_each(statements_in(events_), count);
         std::vector<std::string> found;
         std::ranges::copy_if(names_.parameters, std::back_inserter(found), [&](const std::string& name) {
             return times[name] == 1 &&
@@ -140,7 +152,22 @@ private:
         result_.exact.push_back({words[1].text, std::move(value), words[0].at});
     }
 
+    void read_event(const event_statement& words) {
+        state_event made{.condition = difference(words.condition),
+                         .way = words.way,
+                         .stop = words.stop,
+                         .text = words.text,
+                         .at = words.at};
+        for (const statement& each : words.resets) {
+            const token& name = each[0];
+            made.resets.push_back(
+                {unknown(name.text, name.primes), formula(each, equals_of(each) + 1, each.size()), name.at});
+        }
+        result_.events.push_back(std::move(made));
+    }
+
     std::vector<statement> all_;
+    std::vector<event_statement> events_;
     known_names names_;
     equation_system result_;
     std::set<std::string> defined_;

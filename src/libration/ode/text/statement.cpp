@@ -220,6 +220,10 @@ private:
             made.symbol = '^';
             return 2;
         }
+        if (rest_.starts_with("<=") || rest_.starts_with(">=")) {
+            made.symbol = c.source.front();
+            return 2;
+        }
         require_no_interval(c);
         if (c.kind == character_kind::symbol || (c.kind == character_kind::ascii && is_allowed(c.source.front()))) {
             made.symbol = c.ascii.front();
@@ -228,7 +232,7 @@ private:
         refuse_symbol(c);
     }
 
-    static bool is_allowed(char c) { return std::string_view("()+-*/^=,").find(c) != std::string_view::npos; }
+    static bool is_allowed(char c) { return std::string_view("()+-*/^=,:<>").find(c) != std::string_view::npos; }
 
     // +- and -+, also of other characters for a minus.
     void require_no_interval(const character& c) const {
@@ -252,8 +256,6 @@ private:
         switch (c.source.front()) {
             case '[':
             case '{': refuse(shown, at_, "is not a parenthesis here: write (");
-            case '<':
-            case '>': refuse(shown, at_, "is not an equation: write =");
             default: refuse(shown, at_, "is not allowed in a problem: write names, numbers, + - * / ^ ( ) = and ;");
         }
     }
@@ -311,6 +313,11 @@ bool symbol_at(const statement& words, std::size_t index, char c) {
 
 std::size_t equals_of(const statement& words) {
     const auto is_equals = [](const token& word) { return is_symbol(word, '='); };
+    const auto comparison =
+        std::ranges::find_if(words, [](const token& word) { return is_symbol(word, '<') || is_symbol(word, '>'); });
+    if (comparison != words.end() && std::ranges::none_of(words, is_equals)) {
+        refuse(std::string(comparison->source), comparison->at, "is not an equation: write =");
+    }
     const auto found = std::ranges::find_if(words, is_equals);
     if (found == words.end()) {
         refuse(whole(words), words.front().at, "is not an equation: write one with =");

@@ -11,7 +11,8 @@ namespace libration::ode {
 
 enum class token_kind { numeral, name, symbol };
 
-/// A token of the text: a number, a name with its primes, or a symbol ( ) + - * / ^ = and a comma in parentheses.
+/// A token of the text: a number, a name with its primes, or a symbol ( ) + - * / ^ = < > : and a comma in parentheses;
+/// <= and >= are < and >.
 struct token {
     token_kind kind = token_kind::symbol;
     std::string text;         ///< in ASCII, without primes

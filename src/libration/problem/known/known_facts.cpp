@@ -76,6 +76,9 @@ const known_facts* known_facts_of(const std::string& problem) {
 }
 
 const known_facts* known_facts_of(const ode::equation_system& system) {
+    if (!system.is_smooth()) {
+        return nullptr;
+    }
     const auto found = std::ranges::find_if(
         all_known_facts(), [&](const known_facts& each) { return is_of_catalogue(system, each.problem); });
     return found == all_known_facts().end() ? nullptr : &*found;

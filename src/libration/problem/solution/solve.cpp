@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "hybrid_solution.hpp"
 #include "libration/problem/axis.hpp"
 #include "libration/problem/known_facts.hpp"
 #include "libration/problem/radius_answer.hpp"
@@ -68,6 +69,9 @@ answer solution::radius(const std::string& about, const request& how) const {
 }
 
 std::unique_ptr<solution> solve(const problem& given, const settings& by) {
+    if (!given.equations().is_smooth()) {
+        return std::make_unique<hybrid_solution>(given.equations());
+    }
     if (!by.general) {
         for (const known_facts& facts : all_known_facts()) {
             if (auto known = facts.closed_form ? facts.closed_form(given.equations()) : nullptr) {

@@ -1,0 +1,94 @@
+// Systems with events and step functions, as smooth systems between events.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "libration/ode/explicit_system.hpp"
+
+namespace libration::ode {
+
+/// The values of the step functions of a system, in order: -1 or 1, an integer; a constant may also be 0.
+using step_values = std::vector<number>;
+
+/// Something that happens where a function g crosses 0: the event or the step function of this index. `orientation` is
+/// 1 if its own function, left - right or the argument, has the sign of g, -1 if it has the opposite sign.
+struct crossing_effect {
+    std::size_t index = 0;
+    int orientation = 1;
+};
+
+/// The zeros of a function on a branch, and what happens at them.
+struct surface {
+    /// In unknowns, lower derivatives and the variable; of a known time, the distance to it.
+    expression g;
+    /// The only time at which g is 0, if g is linear in the variable and does not depend on anything else; for floor(u)
+    /// the next one.
+    std::optional<number> time;
+    std::vector<crossing_effect> events, steps;
+    std::string text;  ///< of the first of them, as written
+};
+
+/// The sign of the quotient of two expressions if it is a constant that is found: for equal or opposite forms, and for
+/// linear expressions with fractions as coefficients; 0 for others.
+int relative_sign(const expression& a, const expression& b);
+
+/// Equations with events and step functions. With numbers for the step functions they are a smooth system, a branch,
+/// which is valid until an event, the crossing of one of its surfaces.
+class hybrid_system {
+public:
+    /// Throws error for values that are reset and are not part of the state, for events at all times or never, and for
+    /// floor(u) if u is not linear in the variable, with constant coefficients.
+    explicit hybrid_system(const equation_system& given);
+
+    /// The values of the state before any branch is known, in the order of names_of_state.
+    const std::vector<expression>& leaves() const { return leaves_; }
+    const std::vector<number>& starts() const { return starts_; }
+    const number& point() const { return point_; }
+    const std::string& variable() const { return given_.variable; }
+    const std::vector<state_event>& events() const { return given_.events; }
+    const std::vector<step_function>& steps() const { return given_.steps; }
+
+    /// The smooth system with these values of the step functions and this initial state. Throws error like
+    /// explicit_system.
+    explicit_system branch(const step_values& values, const number& point, const std::vector<number>& state) const;
+    /// The equations of the branch from the initial values of the problem, and the branch.
+    equation_system first_equations(const step_values& values) const { return equations(values, point_, starts_); }
+    explicit_system first_branch(const step_values& values) const { return branch(values, point_, starts_); }
+    /// The argument of a step function, where earlier ones have these values.
+    expression argument(std::size_t step, const step_values& values) const;
+    /// Its value if the argument is constant on the branch.
+    std::optional<number> constant_step(std::size_t step, const step_values& values) const;
+    /// The value of floor(u) at a time from which u is followed forwards.
+    number floor_after(std::size_t step, const step_values& values, const number& time) const;
+    /// The surfaces of a branch whose crossing matters, each once.
+    std::vector<surface> surfaces(const step_values& values) const;
+    /// Adds a surface for the zeros of a function, or returns the one that has them.
+    static surface& add_surface(std::vector<surface>& to, const expression& g, const std::string& text);
+
+private:
+    equation_system equations(const step_values& values, const number& point, const std::vector<number>& state) const;
+    void read_parameters(parameter_values& parameters);
+    void read_starts(parameter_values& parameters);
+    void require_state_in_events() const;
+
+    equation_system given_;  // without parameters, except those of the step functions
+    std::vector<expression> leaves_;
+    std::vector<number> starts_;
+    number point_;
+};
+
+/// The names of the unknowns and their lower derivatives, in order: x, x', ...
+std::vector<std::string> names_of_state(const hybrid_system& system);
+
+/// a t + b in the variable t with constants a != 0, b; std::nullopt for other expressions.
+struct linear_in_variable {
+    number slope, at_zero;
+    static std::optional<linear_in_variable> of(const expression& e);
+    /// Where it has this value.
+    number time_of(const number& value) const { return (value - at_zero) / slope; }
+};
+
+}  // namespace libration::ode

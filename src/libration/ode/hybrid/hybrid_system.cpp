@@ -1,0 +1,319 @@
+#include "libration/ode/hybrid/hybrid_system.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "libration/scalar/error.hpp"
+
+namespace libration::ode {
+
+namespace {
+
+number integer_number(long n) { return number(rational(n)); }
+
+// The largest integer n with n divisor <= x, by comparisons of x with multiples of the divisor.
+number floor_of(const number& x, const number& divisor) {
+    rational lower;
+    const number quotient = x / divisor;
+    if (const auto exactly = quotient.fraction()) {
+        lower = *exactly;
+    } else {
+        const auto rough = quotient.bounds_at(64);
+        const number_bounds near = rough ? *rough : quotient.narrowed(64);
+        mpfr_get_q(lower.backend().data(), handle(near.lower));
+    }
+    integer n;
+    mpz_fdiv_q(n.backend().data(), mpq_numref(lower.backend().data()), mpq_denref(lower.backend().data()));
+    number below{rational(n)};
+    while ((x - (below + integer_number(1)) * divisor).sign() >= 0) {
+        below = below + integer_number(1);
+    }
+    return below;
+}
+
+bool is_state_of(const std::vector<expression>& leaves, const expression& e) {
+    return std::ranges::any_of(leaves, [&](const expression& leaf) { return same_form(leaf, e); });
+}
+
+// Throws error for an unknown in an expression that is not one of the leaves.
+void require_state(const expression& e, const std::vector<expression>& leaves, const place& at) {
+    each_leaf(e, [&](const expression& leaf) {
+        if (leaf.kind() == node_kind::unknown && !is_state_of(leaves, leaf)) {
+            refuse(primed(leaf.name(), leaf.derivative()), at,
+                   "is not part of the state, which consists of unknowns and lower derivatives: replace it by its "
+                   "right-hand side");
+        }
+    });
+}
+
+// A linear expression with fractions as coefficients: those of its leaves, and its constant term.
+struct fraction_form {
+    std::map<std::string, rational> coefficients;
+
+    static std::optional<fraction_form> of(const expression& e) {
+        fraction_form result;
+        bool linear = true;
+        each_leaf(e, [&](const expression& leaf) {
+            const expression factor = partial(e, leaf);
+            const auto coefficient = factor.kind() == node_kind::constant ? factor.fraction() : std::nullopt;
+            linear = linear && coefficient;
+            if (coefficient && *coefficient != 0) {
+                const bool unknown = leaf.kind() == node_kind::unknown;
+                const std::string name = leaf.kind() == node_kind::variable ? "" : leaf.name();
+                result.coefficients[std::to_string(static_cast<int>(leaf.kind())) + " " +
+                                    primed(name, unknown ? leaf.derivative() : 0)] = *coefficient;
+            }
+        });
+        if (!linear || result.coefficients.empty()) {
+            return std::nullopt;
+        }
+        const auto constant = replaced(e, [](const expression&) { return std::optional(expression()); }).fraction();
+        if (!constant) {
+            return std::nullopt;
+        }
+        result.coefficients["1"] = *constant;
+        return result;
+    }
+
+    // The sign of the constant quotient of both; 0 if it is not constant.
+    int relative_sign(const fraction_form& other) const {
+        if (coefficients.size() != other.coefficients.size()) {
+            return 0;
+        }
+        std::optional<rational> quotient;
+        for (const auto& [name, coefficient] : coefficients) {
+            const auto found = other.coefficients.find(name);
+            if (found == other.coefficients.end() || (coefficient == 0) != (found->second == 0)) {
+                return 0;
+            }
+            if (coefficient == 0) {
+                continue;
+            }
+            const rational here = found->second / coefficient;
+            if (quotient && *quotient != here) {
+                return 0;
+            }
+            quotient = here;
+        }
+        return *quotient > 0 ? 1 : -1;
+    }
+};
+
+}  // namespace
+
+std::optional<linear_in_variable> linear_in_variable::of(const expression& e) {
+    if (!e.has_variable() || e.has_unknowns() || e.has_parameters()) {
+        return std::nullopt;
+    }
+    const expression slope = partial(e, ode::variable());
+    if (slope.kind() != node_kind::constant || slope.constant().sign() == 0) {
+        return std::nullopt;
+    }
+    const expression rest = replaced(e, [](const expression&) { return std::optional(expression()); });
+    return linear_in_variable{slope.constant(), rest.constant()};
+}
+
+int relative_sign(const expression& a, const expression& b) {
+    if (same_form(a, b)) {
+        return 1;
+    }
+    if (same_form(a, -b)) {
+        return -1;
+    }
+    const auto first = fraction_form::of(a);
+    const auto second = fraction_form::of(b);
+    return first && second ? first->relative_sign(*second) : 0;
+}
+
+hybrid_system::hybrid_system(const equation_system& given) : given_(given) {
+    given_.invariants.clear();
+    given_.exact.clear();
+    std::map<std::string, expression> open;
+    for (const step_function& each : given_.steps) {
+        open.emplace(each.parameter, parameter(each.parameter));
+    }
+    parameter_values parameters(given, std::move(open));
+    read_parameters(parameters);
+    read_starts(parameters);
+    given_.parameters.clear();
+    require_state_in_events();
+    for (std::size_t i = 0; i < given_.steps.size(); ++i) {
+        const step_function& step = given_.steps[i];
+        const step_values zeros(given_.steps.size());
+        const expression u = argument(i, zeros);
+        if (step.kind == step_kind::floor && !u.is_constant() && !linear_in_variable::of(u)) {
+            refuse(step.text, step.at,
+                   "is not supported: write an argument that is linear in " + given_.variable +
+                       ", with constant coefficients");
+        }
+    }
+}
+
+// Everything with numbers for the parameters.
+void hybrid_system::read_parameters(parameter_values& parameters) {
+    for (equation& each : given_.equations) {
+        each.left = parameters.in(each.left);
+        each.right = parameters.in(each.right);
+    }
+    for (step_function& each : given_.steps) {
+        each.argument = parameters.in(each.argument);
+    }
+    for (state_event& each : given_.events) {
+        each.condition = parameters.in(each.condition);
+        for (reset& value : each.resets) {
+            value.value = parameters.in(value.value);
+        }
+    }
+}
+
+void hybrid_system::read_starts(parameter_values& parameters) {
+    bool first = true;
+    for (const std::string& name : given_.unknowns()) {
+        for (int j = 0; j < given_.order_of(name); ++j) {
+            const expression leaf = unknown(name, j);
+            const auto found =
+                std::ranges::find_if(given_.starts, [&](const start& s) { return same_form(s.of, leaf); });
+            if (found == given_.starts.end()) {
+                refuse(primed(name, j), {}, "has no initial value: add " + primed(name, j) + "(0) = number");
+            }
+            const number point = parameters.in(found->point).constant();
+            if (!first && (point - point_).sign() != 0) {
+                refuse(primed(name, j), found->at, "has another initial point: give all initial values at one point");
+            }
+            point_ = point;
+            first = false;
+            leaves_.push_back(leaf);
+            starts_.push_back(parameters.in(found->value).constant());
+        }
+    }
+    for (const start& each : given_.starts) {
+        const auto same = [&](const start& other) { return same_form(other.of, each.of); };
+        const std::string name = primed(each.of.name(), each.of.derivative());
+        if (!is_state_of(leaves_, each.of)) {
+            refuse(name, each.at, "has no free initial value: leave it out");
+        }
+        if (std::ranges::count_if(given_.starts, same) > 1) {
+            refuse(name, each.at, "has two initial values: give it only one");
+        }
+    }
+}
+
+void hybrid_system::require_state_in_events() const {
+    for (const state_event& each : given_.events) {
+        if (each.condition.is_constant()) {
+            refuse(each.text, each.at,
+                   "has a condition that does not depend on the solution or on " + given_.variable +
+                       ": write one, as y = 0");
+        }
+        require_state(each.condition, leaves_, each.at);
+        for (const reset& value : each.resets) {
+            if (!is_state_of(leaves_, value.of)) {
+                refuse(primed(value.of.name(), value.of.derivative()), value.at,
+                       "is not part of the state, which consists of unknowns and lower derivatives: leave it out");
+            }
+            require_state(value.value, leaves_, value.at);
+        }
+    }
+}
+
+std::vector<std::string> names_of_state(const hybrid_system& system) {
+    std::vector<std::string> names;
+    for (const expression& leaf : system.leaves()) {
+        names.push_back(primed(leaf.name(), leaf.derivative()));
+    }
+    return names;
+}
+
+explicit_system hybrid_system::branch(const step_values& values, const number& point,
+                                      const std::vector<number>& state) const {
+    return explicit_system(equations(values, point, state));
+}
+
+equation_system hybrid_system::equations(const step_values& values, const number& point,
+                                         const std::vector<number>& state) const {
+    equation_system smooth = given_;
+    smooth.events.clear();
+    smooth.steps.clear();
+    smooth.starts.clear();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        smooth.set(given_.steps[i].parameter, expression(values[i]));
+    }
+    for (std::size_t k = 0; k < leaves_.size(); ++k) {
+        smooth.begin(leaves_[k], expression(state[k]), expression(point));
+    }
+    return smooth;
+}
+
+expression hybrid_system::argument(std::size_t step, const step_values& values) const {
+    return replaced(given_.steps[step].argument, [&](const expression& leaf) -> std::optional<expression> {
+        if (leaf.kind() != node_kind::parameter) {
+            return std::nullopt;
+        }
+        const auto which = std::ranges::find(given_.steps, leaf.name(), &step_function::parameter);
+        return expression(values[static_cast<std::size_t>(which - given_.steps.begin())]);
+    });
+}
+
+std::optional<number> hybrid_system::constant_step(std::size_t step, const step_values& values) const {
+    const expression u = argument(step, values);
+    if (u.kind() != node_kind::constant) {
+        return std::nullopt;
+    }
+    return given_.steps[step].kind == step_kind::sign ? integer_number(u.constant().sign())
+                                                      : floor_of(u.constant(), given_.steps[step].divisor);
+}
+
+number hybrid_system::floor_after(std::size_t step, const step_values& values, const number& time) const {
+    const auto u = *linear_in_variable::of(argument(step, values));
+    const number here = u.slope * time + u.at_zero;
+    const number below = floor_of(here, given_.steps[step].divisor);
+    const bool falls_from_integer = u.slope.sign() < 0 && (here - below * given_.steps[step].divisor).sign() == 0;
+    return falls_from_integer ? below - integer_number(1) : below;
+}
+
+surface& hybrid_system::add_surface(std::vector<surface>& to, const expression& g, const std::string& text) {
+    const auto linear = linear_in_variable::of(g);
+    for (surface& each : to) {
+        const bool same_time = linear && each.time && (*each.time - linear->time_of(number())).sign() == 0;
+        if (same_time || relative_sign(each.g, g) != 0) {
+            return each;
+        }
+    }
+    surface made{.g = g, .time = {}, .events = {}, .steps = {}, .text = text};
+    if (linear) {
+        made.time = linear->time_of(number());
+        made.g = ode::variable() - expression(*made.time);
+    }
+    to.push_back(std::move(made));
+    return to.back();
+}
+
+std::vector<surface> hybrid_system::surfaces(const step_values& values) const {
+    std::vector<surface> all;
+    const auto orientation = [](const surface& of, const expression& g) {
+        const auto linear = linear_in_variable::of(g);
+        return linear ? linear->slope.sign() : relative_sign(of.g, g);
+    };
+    for (std::size_t i = 0; i < given_.steps.size(); ++i) {
+        expression u = argument(i, values);
+        if (u.kind() == node_kind::constant) {
+            continue;
+        }
+        if (given_.steps[i].kind == step_kind::floor) {
+            const bool rises = linear_in_variable::of(u)->slope.sign() > 0;
+            const number level = rises ? values[i] + integer_number(1) : values[i];
+            u = u - expression(level * given_.steps[i].divisor);
+        }
+        surface& at = add_surface(all, u, given_.steps[i].text);
+        at.steps.push_back({i, orientation(at, u)});
+    }
+    for (std::size_t i = 0; i < given_.events.size(); ++i) {
+        const expression& g = given_.events[i].condition;
+        surface& at = add_surface(all, g, given_.events[i].text);
+        at.events.push_back({i, orientation(at, g)});
+    }
+    return all;
+}
+
+}  // namespace libration::ode

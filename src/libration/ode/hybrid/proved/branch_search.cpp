@@ -1,0 +1,211 @@
+#include "branch_search.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "../../proved/event_values.hpp"
+#include "../../proved/needed_bits.hpp"
+
+namespace libration::ode {
+
+namespace {
+
+// The number of steps by which the searches advance in turn, at first.
+constexpr long first_steps = 4;
+
+// The end of a search: no later than the given one and the end of a ball.
+void shorten(std::optional<number>& end, const ball& time) {
+    const ball last = upper_bound(time);
+    if (!end || certainly_less(last, enclosed_number(*end))) {
+        end = number_of(last);
+    }
+}
+
+}  // namespace
+
+number number_of(const ball& exact) {
+    rational value;
+    mpfr_get_q(value.backend().data(), handle(midpoint_of(exact)));
+    return number(value);
+}
+
+branch_search::branch_search(const explicit_system& system, std::vector<watched_surface> surfaces, const ball& begins,
+                             long bits, const proof_route& route, const march_watch& watch)
+    : system_(system), begins_(begins), bits_(bits), route_(route), watch_(watch) {
+    for (watched_surface& each : surfaces) {
+        watched_.push_back({std::move(each)});
+    }
+}
+
+std::nullopt_t branch_search::ended(path_end why, const std::string& reason) {
+    end_ = why;
+    reason_ = reason;
+    return std::nullopt;
+}
+
+void branch_search::resume(std::size_t surface) {
+    watched_[surface].found.reset();
+    for (watched& each : watched_) {
+        each.over = each.limit.has_value();
+    }
+}
+
+// The first known time after the beginning; sets end_ if it is not distinguished from the beginning.
+std::optional<std::size_t> branch_search::first_known_time(const std::optional<number>& end) {
+    std::optional<std::size_t> first;
+    for (std::size_t i = 0; i < watched_.size(); ++i) {
+        const auto& time = watched_[i].of.of.time;
+        if (!time) {
+            continue;
+        }
+        const bool exact_beginning = !watched_[i].of.start || !watched_[i].of.start->begins;
+        const number gone = *time - system_.point();
+        if (exact_beginning ? gone.sign() <= 0 : certainly_less(enclosed_number(*time), begins_)) {
+            continue;
+        }
+        if (!exact_beginning && !certainly_less(begins_, enclosed_number(*time))) {
+            ended(path_end::undecided, "the event before it and `" + watched_[i].of.of.text +
+                                           "` are not distinguished in time by " + std::to_string(bits_) + " bits");
+        }
+        const bool asked = !end || (*time - *end).sign() <= 0;
+        if (asked && (!first || (*time - *watched_[*first].of.of.time).sign() < 0)) {
+            first = i;
+        }
+    }
+    return first;
+}
+
+// Reads why the search for a surface paused. The search is over unless it may continue.
+void branch_search::read_end(watched& each, bool has_end, long horizon) {
+    const event_search& search = *each.search;
+    const ball reached = search.march().reached();
+    switch (search.end()) {
+        case search_end::none: break;
+        case search_end::time: each.over = true; break;
+        case search_end::horizon:
+            if (!has_end && each.steps >= horizon) {
+                ended(path_end::horizon, "");
+            }
+            break;
+        case search_end::precision: ended(path_end::precision, ""); break;
+        case search_end::steps:
+            each.over = true;
+            each.limit = reached;
+            each.why = path_end::steps;
+            each.reason = "the steps become too small at time " + proved_reach_text(reached, true) +
+                          ", as they do near a singularity";
+            break;
+        case search_end::undecided:
+            each.over = true;
+            each.limit = search.undecided().from;
+            each.why = path_end::undecided;
+            each.reason = "`" + each.of.of.text + "` is not decided by " + std::to_string(bits_) +
+                          " bits: its two sides may be equal in [" + bound_text(search.undecided().from, MPFR_RNDD) +
+                          ", " + bound_text(search.undecided().to, MPFR_RNDU) + "], where they differ by at most " +
+                          upper_bound_text(search.undecided().value.exact()) + " and their derivatives by at most " +
+                          upper_bound_text(search.undecided().slope.exact()) +
+                          ", as where a solution touches the surface without crossing it";
+            break;
+    }
+}
+
+// True if nothing remains to be done for this surface.
+bool branch_search::advance(watched& each, const std::optional<number>& end, long steps, long horizon) {
+    if (each.found || each.over || each.of.of.time) {
+        return true;
+    }
+    if (!each.search) {
+        each.search = each.of.start
+                          ? std::make_unique<event_search>(system_, each.of.of.g, *each.of.start, bits_, route_, watch_)
+                          : std::make_unique<event_search>(system_, each.of.of.g, bits_, 1, route_, watch_);
+    }
+    auto event = each.search->next(each.of.way, end, steps);
+    if (!event) {
+        each.steps += steps;
+        read_end(each, end.has_value(), horizon);
+        return each.over;
+    }
+    if (each.of.start && each.of.start->begins && !certainly_less(*each.of.start->begins, event->time)) {
+        ended(path_end::undecided, "the event before it and `" + each.of.of.text +
+                                       "` are not distinguished in time by " + std::to_string(bits_) + " bits");
+    }
+    each.found = std::move(event);
+    return true;
+}
+
+std::optional<found_crossing> branch_search::next(const std::optional<number>& end, long horizon) {
+    end_ = path_end::none;
+    const auto known = first_known_time(end);
+    std::optional<number> bound = end;
+    if (known) {
+        bound = watched_[*known].of.of.time;
+    }
+    for (const watched& each : watched_) {
+        if (each.found) {
+            shorten(bound, each.found->time);
+        }
+    }
+    bool all = false;
+    for (long steps = first_steps; !all && end_ == path_end::none; steps *= 2) {
+        all = true;
+        for (watched& each : watched_) {
+            all = advance(each, bound, steps, horizon) && all;
+            if (end_ != path_end::none) {
+                return std::nullopt;
+            }
+            if (each.found) {
+                shorten(bound, each.found->time);
+            }
+        }
+    }
+    return end_ == path_end::none ? first_of(known) : std::nullopt;
+}
+
+// The first of the crossings that were found.
+std::optional<found_crossing> branch_search::first_of(const std::optional<std::size_t>& known) {
+    std::optional<found_crossing> first;
+    ball time;
+    if (known) {
+        first = {*known, std::nullopt};
+        time = enclosed_number(*watched_[*known].of.of.time);
+    }
+    for (std::size_t i = 0; i < watched_.size(); ++i) {
+        const auto& found = watched_[i].found;
+        if (found && (!first || certainly_less(upper_bound(found->time), upper_bound(time)))) {
+            first = {i, found};
+            time = found->time;
+        }
+    }
+    for (const watched& each : watched_) {
+        if (each.limit && (!first || !certainly_less(time, *each.limit))) {
+            reached_ = lower_bound(*each.limit);
+            return ended(each.why, each.reason);
+        }
+    }
+    if (!first) {
+        return ended(path_end::time, "");
+    }
+    return separated(*first, time) ? first : std::nullopt;
+}
+
+bool branch_search::separated(const found_crossing& first, const ball& time) {
+    for (std::size_t i = 0; i < watched_.size(); ++i) {
+        const surface& other = watched_[i].of.of;
+        std::optional<ball> its_time;
+        if (watched_[i].found) {
+            its_time = watched_[i].found->time;
+        } else if (other.time && first.event) {
+            its_time = enclosed_number(*other.time);
+        }
+        if (i != first.surface && its_time && overlaps(*its_time, time)) {
+            reached_ = lower_bound(time);
+            ended(path_end::undecided, "`" + watched_[first.surface].of.of.text + "` and `" + other.text +
+                                           "` are crossed at the same time, or are not distinguished by " +
+                                           std::to_string(bits_) + " bits");
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace libration::ode

@@ -1,0 +1,202 @@
+#include "hybrid_solution.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "libration/digits/proved/printed_values.hpp"
+#include "libration/digits/proved/two_proofs.hpp"
+#include "libration/ode/constant_value.hpp"
+#include "libration/ode/hybrid/proved/first_steps.hpp"
+#include "libration/ode/hybrid/proved/hybrid_trajectory.hpp"
+#include "libration/ode/parse.hpp"
+#include "libration/ode/trajectory.hpp"
+#include "libration/scalar/ball/predicates.hpp"
+#include "libration/scalar/text/decimal.hpp"
+
+namespace libration {
+
+namespace {
+
+constexpr const char* unsupported = "is not supported for a problem with events or a piecewise right-hand side";
+
+// The distance that has been integrated, as a part of that to the last time.
+ode::march_watch watch_of(const ode::hybrid_system& system, const std::vector<ode::number>& times, const request& how) {
+    if (!how.progress && !how.reached) {
+        return {};
+    }
+    const precision_scope few(digits_beyond_result);
+    const double origin = ode::constant_value<mpfr>::of(system.point()).convert_to<double>();
+    double whole = 0;
+    for (const ode::number& each : times) {
+        whole = std::max(whole, ode::constant_value<mpfr>::of(each).convert_to<double>() - origin);
+    }
+    return [&how, origin, whole](const ball& reached, long bits) {
+        const double time = midpoint_of(reached).convert_to<double>();
+        if (how.reached) {
+            how.reached(time, bits);
+        }
+        if (how.progress && whole > 0) {
+            how.progress(std::clamp((time - origin) / whole, 0.0, 1.0));
+        }
+    };
+}
+
+// The states on one branch, each value in the arithmetic in which it is printed.
+template <class T>
+void add_states(const ode::hybrid_branch& branch, const std::vector<ode::number>& times, long digits, answer& result) {
+    std::vector<ode::number> on_branch;
+    for (const std::size_t index : branch.times) {
+        on_branch.push_back(times[index]);
+    }
+    const auto part = ode::part_of_march<T>(branch.system, on_branch);
+    for (std::size_t i = 0; i < branch.times.size(); ++i) {
+        for (const auto& of_unknown : part.states[i]) {
+            for (const T& value : of_unknown) {
+                result.rows[branch.times[i]].push_back({to_decimal(widen(value), digits), ""});
+            }
+        }
+    }
+    if (part.missing && !result.missing) {
+        result.missing = part.missing;
+    }
+}
+
+}  // namespace
+
+hybrid_solution::hybrid_solution(ode::equation_system equations)
+    : solution(ode::names_of_state(ode::hybrid_system(equations))),
+      equations_(std::move(equations)),
+      system_(equations_),
+      first_(system_.first_equations(ode::steps_after_start(system_))) {}
+
+answer hybrid_solution::states(const std::vector<exact>& times, const request& how) const {
+    if (!how.derivatives.empty()) {
+        throw error(error_kind::argument, "derivatives", how.derivatives.front(),
+                    std::string(unsupported) + ": leave it out");
+    }
+    if (how.integrator == ode::integrator_choice::collocation) {
+        throw error(error_kind::argument, "integrator", "collocation",
+                    std::string(unsupported) + ": use automatic or taylor");
+    }
+    if (how.observer) {
+        throw error(error_kind::argument, "observer", "of steps", std::string(unsupported) + ": leave it out");
+    }
+    std::vector<ode::number> at;
+    std::ranges::transform(times, std::back_inserter(at), time_of_problem);
+    const bool proves = how.scalar.kind == scalar_kind::proved || how.scalar.kind == scalar_kind::arbitrary;
+    return proves ? proved_states(at, how) : rounded_states(at, how);
+}
+
+answer hybrid_solution::proved_states(const std::vector<ode::number>& times, const request& how) const {
+    const auto checked = checked_products(how.check);
+    const long digits = how.printed_digits();
+    ode::proof_route route;
+    route.integrator = how.integrator;
+    auto found = ode::proved_part_of_hybrid(system_, times, digits, watch_of(system_, times, how), route);
+    if (how.check) {
+        ode::proof_route second = ode::proof_route::second();
+        second.integrator = how.integrator;
+        const auto other =
+            ode::proved_part_of_hybrid(system_, times, digits + ode::more_digits_of_second_proof, {}, second);
+        for (std::size_t i = 0; i < times.size(); ++i) {
+            for (std::size_t k = 0; k < std::min(found.states[i].size(), other.states[i].size()); ++k) {
+                const auto& a = found.states[i][k].decimal;
+                const auto& b = other.states[i][k].decimal;
+                if (a && b) {
+                    require_agreement(*a, *b, quantities()[k]);
+                }
+            }
+        }
+    }
+    answer result{.names = quantities(), .rows = {}, .rigour = "proved"};
+    for (const auto& state : found.states) {
+        auto& row = result.rows.emplace_back();
+        for (const ode::trajectory_value& each : state) {
+            row.push_back(each.decimal ? answer_value{each.decimal->text, each.decimal->uncertainty}
+                                       : answer_value{"", each.bound});
+        }
+    }
+    result.missing = std::move(found.missing);
+    return result;
+}
+
+answer hybrid_solution::rounded_states(const std::vector<ode::number>& times, const request& how) const {
+    answer result{.names = quantities(), .rows = {}, .rigour = "heuristic"};
+    result.rows.resize(times.size());
+    auto found = ode::branches_at_times(system_, times, how.scalar.digits);
+    result.missing = std::move(found.missing);
+    const precision_scope wide(how.scalar.digits + digits_beyond_result);
+    for (const ode::hybrid_branch& each : found.branches) {
+        with_scalar(how.scalar, 0, [&]<class T>() { add_states<T>(each, times, how.printed_digits(), result); });
+    }
+    return result;
+}
+
+answer hybrid_solution::states_along(const complex_path_request& /*along*/, const request& /*how*/) const {
+    throw error(error_kind::argument, "point", "of the complex plane", std::string(unsupported) + ": use real times");
+}
+
+answer hybrid_solution::limits(const request& /*how*/) const {
+    throw error(error_kind::undecided, "time", "inf", unsupported);
+}
+
+answer hybrid_solution::events(const std::string& condition, long count, const request& how) const {
+    const ode::event_request asked{.g = ode::parse_condition(equations_, condition), .count = count};
+    auto found = ode::searched_hybrid_events(system_, asked, how.printed_digits());
+    answer result{.names = quantities(), .rows = {}, .rigour = "proved"};
+    result.names.insert(result.names.begin(), "time");
+    for (const ode::printed_event& event : found.events) {
+        auto& row = result.rows.emplace_back();
+        row.push_back({event.time.text, event.time.uncertainty});
+        for (const proved_decimal& value : event.values) {
+            row.push_back({value.text, value.uncertainty});
+        }
+    }
+    result.missing = std::move(found.missing);
+    return result;
+}
+
+namespace {
+
+answer of_first_branch(answer found) {
+    found.notes.insert(found.notes.begin(),
+                       {"branch", "of the equations as they are at the initial point, up to the first event"});
+    return found;
+}
+
+}  // namespace
+
+void hybrid_solution::require_point(const std::string& about) const {
+    if (!about.empty()) {
+        throw error(error_kind::argument, "point", about,
+                    std::string(unsupported) + ": leave it out for the initial point");
+    }
+}
+
+answer hybrid_solution::series(const series_request& of, const request& how) const {
+    require_point(of.about);
+    return of_first_branch(first_.series(of, how));
+}
+
+std::optional<answer> hybrid_solution::fractions(const series_request& of) const {
+    require_point(of.about);
+    return first_.fractions(of);
+}
+
+std::vector<unknown_series> hybrid_solution::coefficient_lists(const series_request& of,
+                                                               const scalar_spec& scalar) const {
+    require_point(of.about);
+    return first_.coefficient_lists(of, scalar);
+}
+
+answer hybrid_solution::singularities(const std::optional<double>& within, const request& how) const {
+    return of_first_branch(first_.singularities(within, how));
+}
+
+answer hybrid_solution::proved_radius(const series_request& of, const request& how) const {
+    require_point(of.about);
+    return of_first_branch(first_.proved_radius(of, how));
+}
+
+}  // namespace libration

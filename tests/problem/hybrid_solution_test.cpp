@@ -1,0 +1,203 @@
+// Solutions with events and piecewise right-hand sides, against closed forms computed here in mpfr.
+#include "libration/problem/solution.hpp"
+
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+#include "libration/scalar/error.hpp"
+#include "libration/scalar/mpfr.hpp"
+#include "libration/scalar/text/decimal.hpp"
+
+namespace problem_hybrid_solution_test {
+
+using namespace libration;
+
+namespace {
+
+constexpr long digits = 30;
+
+// Whether a proved decimal of 30 digits is within one unit of its last digit of the exact value, given with 80 digits.
+bool agrees(const std::string& decimal, const mpfr& exact) {
+    const mpfr printed(decimal);
+    return abs(mpfr(printed - exact)) <= abs(exact) * pow(mpfr(10), -(digits - 1));
+}
+
+std::string value_at(const std::string& text, const std::string& time, const std::string& name) {
+    return solve(problem(text))->states(time, proved_digits(digits)).at(0, name);
+}
+
+std::string missing_of(const std::string& text, const std::string& times) {
+    const answer found = solve(problem(text))->states(times, proved_digits(digits));
+    return found.missing ? found.missing->what() : "";
+}
+
+const std::string ball = "y'' = -9.81; y(0) = 10; y'(0) = 0; when y = 0 down: y' = -0.9*y'";
+
+}  // namespace
+
+TEST_CASE("the first 20 bounces of a ball are those of the closed form", "[problem][hybrid]") {
+    const precision_scope scope(80);
+    const mpfr g = mpfr(981) / 100;
+    const mpfr restitution = mpfr(9) / 10;
+    const auto y = solve(problem(ball));
+    const answer bounces = y->events("y = 0", 20, proved_digits(digits));
+    REQUIRE(bounces.rows.size() == 20);
+    CHECK_FALSE(bounces.missing);
+    mpfr time = sqrt(mpfr(20 / g));
+    mpfr speed = g * time;
+    for (std::size_t n = 0; n < 20; ++n) {
+        INFO("bounce " << n + 1);
+        CHECK(agrees(bounces.at(n, "time"), time));
+        CHECK(bounces.at(n, "y") == "0");
+        CHECK(agrees(bounces.at(n, "y'"), -speed));
+        speed *= restitution;
+        time += 2 * speed / g;
+    }
+    // Between bounces 1 and 2.
+    const mpfr first = sqrt(mpfr(20 / g));
+    const mpfr later = 2 - first;
+    CHECK(agrees(y->states("2", proved_digits(digits)).at(0, "y"),
+                 mpfr(restitution * g * first * later - g * later * later / 2)));
+}
+
+TEST_CASE("bounces that accumulate end the solution with one line", "[problem][hybrid]") {
+    // The bounces accumulate at 19 sqrt(20/9.81) = 27.1...
+    const answer found = solve(problem(ball))->states("27, 28", proved_digits(10));
+    CHECK_FALSE(found.rows[0].empty());
+    CHECK(found.rows[1].empty());
+    REQUIRE(found.missing);
+    CHECK_THAT(found.missing->what(), Catch::Contains("time '28.0000000000' is not reached: after ") &&
+                                          Catch::Contains("events, the last one proved at time 27.1") &&
+                                          Catch::Contains("accumulate"));
+}
+
+TEST_CASE("resets at known times and by the state", "[problem][hybrid]") {
+    const precision_scope scope(80);
+    const std::string dose = "x' = -x; x(0) = 1; when t = 2: x = x + 1";
+    CHECK(agrees(value_at(dose, "3", "x"), mpfr(exp(mpfr(-3)) + exp(mpfr(-1)))));
+    CHECK(agrees(value_at(dose, "2", "x"), mpfr(exp(mpfr(-2)) + 1)));
+    CHECK(agrees(value_at(dose, "1", "x"), exp(mpfr(-1))));
+    // Integrate and fire: x = 2 - 2 exp(-t) up to 1, with the period log 2; and the number of spikes.
+    const std::string neuron = "x' = 2 - x; n' = 0; x(0) = 0; n(0) = 0; when x = 1 up: x = 0; n = n + 1";
+    const std::string renamed = "x' = 2 - x; k' = 0; x(0) = 0; k(0) = 0; when x = 1 up: x = 0; k = k + 1";
+    CHECK_THROWS_WITH(solve(problem(neuron)), Catch::Contains("name of a column"));
+    CHECK(agrees(value_at(renamed, "5", "x"), mpfr(2 - 2 * exp(mpfr(7 * log(mpfr(2)) - 5)))));
+    CHECK(agrees(value_at(renamed, "5", "k"), mpfr(7)));
+    // A projectile between walls at 0 and 1, in both directions.
+    const std::string walls = "x'' = 0; x(0) = 1/3; x'(0) = 1; when x = 1: x' = -x'; when x = 0: x' = -x'";
+    CHECK(agrees(value_at(walls, "5", "x"), mpfr(mpfr(2) / 3)));
+    CHECK(agrees(value_at(walls, "5", "x'"), mpfr(-1)));
+}
+
+TEST_CASE("an event can end the solution", "[problem][hybrid]") {
+    const std::string fall = "y'' = -2; y(0) = 1; y'(0) = 0; when y = 0 down: stop";
+    const auto y = solve(problem(fall));
+    const answer found = y->states("1/2, 3", proved_digits(20));
+    CHECK(found.at(0, "y") == "0.75000000000000000000");
+    REQUIRE(found.missing);
+    CHECK_THAT(found.missing->what(),
+               Catch::Contains("time '3.00000000000' is not reached") &&
+                   Catch::Contains("after one event, at time 1.00000000000, `when y = 0 down` ends the solution"));
+    CHECK(y->events("y = 0", 1, proved_digits(20)).at(0, "y'") == "-2.0000000000000000000");
+}
+
+TEST_CASE("right-hand sides with sign, abs, if, max, min and heaviside", "[problem][hybrid]") {
+    const precision_scope scope(80);
+    // y'' = -sign(y): parabolas of half period 2 sqrt 2.
+    const mpfr half = 2 * sqrt(mpfr(2));
+    const mpfr from_top = 9 - 3 * half;  // y(9) = -(1 - s^2/2), s from the third extremum
+    const std::string relay = "y'' = -sign(y); y(0) = 1; y'(0) = 0";
+    CHECK(agrees(value_at(relay, "9", "y"), mpfr(-(1 - from_top * from_top / 2))));
+    CHECK(agrees(value_at("y'' = if(y > 0, -1, 1); y(0) = 1; y'(0) = 0", "9", "y'"), from_top));
+    // x' = abs(x - 1) - 1 from 0 decreases to 0: at once -x; up to 1 it does not reach.
+    CHECK(agrees(value_at("x' = abs(x - 1); x(0) = 0", "3", "x"), mpfr(1 - exp(mpfr(-3)))));
+    CHECK(agrees(value_at("x' = max(x, 2 - x); x(0) = 0", "2", "x"), mpfr(exp(mpfr(2 - log(mpfr(2)))))));
+    CHECK(agrees(value_at("x' = 1 + min(x, 1); x(0) = 0", "2", "x"), mpfr(1 + 2 * (2 - log(mpfr(2))))));
+    CHECK(agrees(value_at("x' = 1 + heaviside(x - 1); x(0) = 0", "3", "x"), mpfr(5)));
+    CHECK(agrees(value_at("x' = if(t < 1, 1, -2*x); x(0) = 0", "2", "x"), exp(mpfr(-2))));
+    // At the switching time itself, which is proved without being told.
+    CHECK(agrees(value_at("x' = 1 + heaviside(x - 1); x(0) = 0", "1", "x"), mpfr(1)));
+}
+
+TEST_CASE("right-hand sides with floor, square and sawtooth waves of time", "[problem][hybrid]") {
+    const precision_scope scope(80);
+    const mpfr pi = libration::pi<mpfr>();
+    CHECK(agrees(value_at("x' = floor(t); x(0) = 1", "7/2", "x"), mpfr(mpfr(11) / 2)));
+    CHECK(agrees(value_at("x' = floor(1 - 2*t); x(0) = 1", "1", "x"), mpfr(mpfr(1) / 2)));
+    CHECK(agrees(value_at("x' = square(t); x(0) = 1", "3*pi/2", "x"), mpfr(1 + pi / 2)));
+    CHECK(agrees(value_at("x' = sawtooth(t); x(0) = 1", "3*pi", "x"), mpfr(1 - pi / 2)));
+    CHECK(agrees(value_at("x' = square(2*pi*t); x(0) = 1", "21/4", "x"), mpfr(mpfr(5) / 4)));
+}
+
+TEST_CASE("the problems of the DETEST set with discontinuities have 20 digits at the end", "[problem][hybrid]") {
+    const precision_scope scope(80);
+    const mpfr pi = libration::pi<mpfr>();
+    // F1: about +-c, c = 1/(pi^2 + a^2), the distance changes its sign and grows by e^a in each unit of time.
+    mpfr y = 0;
+    for (int n = 0; n < 20; ++n) {
+        const mpfr centre = (n % 2 == 0 ? 1 : -1) / mpfr(pi * pi + mpfr(1) / 100);
+        y = centre - (y - centre) * exp(mpfr(mpfr(1) / 10));
+    }
+    CHECK(agrees(value_at("detest_f1", "20", "y"), y));
+    // F2: towards 55/r with the rates r = 3/2 and 1/2 in turn.
+    y = 110;
+    for (int n = 0; n < 20; ++n) {
+        const mpfr rate = mpfr(n % 2 == 0 ? 3 : 1) / 2;
+        y = 55 / rate + (y - 55 / rate) * exp(mpfr(-rate));
+    }
+    CHECK(agrees(value_at("detest_f2", "20", "y"), y));
+    // F3, by smooth problems over each unit of time, integrated in mpfr.
+    std::string start = "y(0) = 0; y'(0) = 0";
+    for (int n = 0; n < 20; ++n) {
+        const std::string force = n % 2 == 0 ? " - sin(pi*t)" : " + sin(pi*t)";
+        const auto smooth = solve(problem("y'' = 0.01*y'*(1 - y^2) - y" + force + "; " + start));
+        const std::string end = std::to_string(n + 1);
+        const answer found = smooth->states(end, rounded_digits(60));
+        start = "y(" + end + ") = " + found.at(0, "y") + "; y'(" + end + ") = " + found.at(0, "y'");
+        y = mpfr(found.at(0, "y"));
+    }
+    CHECK(agrees(value_at("detest_f3", "20", "y"), y));
+    CHECK(agrees(value_at("detest_f4", "20", "y"), mpfr(exp(mpfr(-20)) / 21)));
+    // The slope of F1 is 0 at integers, which no precision proves.
+    CHECK_THAT(missing_of("detest_f1", "1"), Catch::Contains("do not distinguish from 0"));
+}
+
+TEST_CASE("sliding and tangential solutions end with the surface and the time", "[problem][hybrid]") {
+    const std::string friction = "x' = -sign(x); x(0) = 1";
+    CHECK(value_at(friction, "1/2", "x") == "0.500000000000000000000000000000");
+    CHECK_THAT(missing_of(friction, "2"), Catch::Contains("time '2.00000000000' is not reached") &&
+                                              Catch::Contains("slides along the surface of `sign(x)`"));
+    const std::string touching = "y' = 2*(t - 1); x' = sign(y); y(0) = 1; x(0) = 0";
+    CHECK_THAT(missing_of(touching, "2"), Catch::Contains("`sign(y)` is not decided") && Catch::Contains("touches"));
+    CHECK_THROWS_WITH(solve(problem("x' = -sign(x); x(0) = 0")), Catch::Contains("slides"));
+    CHECK_THROWS_WITH(solve(problem("x' = sign(x); x(0) = 0")), Catch::Contains("more than one"));
+}
+
+TEST_CASE("solutions in double follow the same branches", "[problem][hybrid]") {
+    const auto y = solve(problem(ball));
+    const request in_double{.scalar = {scalar_kind::binary64, 17}, .digits = 12};
+    const answer rough = y->states("1, 10, 20", in_double);
+    const answer proved = y->states("1, 10, 20", proved_digits(12));
+    CHECK(rough.rigour == "heuristic");
+    CHECK(proved.rigour == "proved");
+    for (std::size_t i = 0; i < 3; ++i) {
+        // Values up to 10, each with some roundings to 2^-53.
+        CHECK(std::stod(rough.at(i, "y")) == Approx(std::stod(proved.at(i, "y"))).epsilon(1e-11));
+    }
+}
+
+TEST_CASE("what needs one smooth equation speaks of the first branch, or says so", "[problem][hybrid]") {
+    const auto x = solve(problem("x' = if(x > 2, 0, 1 + x^2); x(0) = 0"));
+    const answer radius = x->radius("", proved_digits(10));
+    CHECK(radius.at(0, "lower").starts_with("1.57079632"));
+    REQUIRE_FALSE(radius.notes.empty());
+    CHECK(radius.notes.front().name == "branch");
+    CHECK(x->series(3, "", proved_digits(10)).at(3, "x") == "0.3333333333");
+    CHECK_THROWS_WITH(x->series(3, "1", proved_digits(10)), Catch::Contains("not supported for a problem with events"));
+    CHECK_THROWS_WITH(x->limits(proved_digits(10)), Catch::Contains("not supported for a problem with events"));
+    CHECK_THROWS_WITH(x->states("-1", proved_digits(10)), Catch::Contains("forwards only"));
+    CHECK_THROWS_WITH(x->states("1", {.derivatives = {"x(0)"}}), Catch::Contains("not supported"));
+}
+
+}  // namespace problem_hybrid_solution_test
