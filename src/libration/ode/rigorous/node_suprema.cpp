@@ -1,3 +1,5 @@
+#include <flint/fmpq.h>
+
 #include <algorithm>
 
 #include "libration/ode/ball/step_pieces.hpp"
