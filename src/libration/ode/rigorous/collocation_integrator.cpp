@@ -34,22 +34,13 @@ std::vector<long double> rounded_constants(const polynomial_map& map) {
     return result;
 }
 
-std::vector<ball> enclosed_constants(const polynomial_map& map, long bits) {
-    const precision_scope scope(decimal_digits(bits));
-    std::vector<ball> result;
-    for (const number& each : map.constants()) {
-        result.push_back(constant_value<ball>::of(each));
-    }
-    return result;
-}
-
 }  // namespace
 
 struct collocation_integrator::parts {
     parts(const lifted_system& of, long bits, int more_terms, const tuning& by)
         : map(of),
           accuracy(collocation_accuracy::for_bits(bits, more_terms)),
-          constants(enclosed_constants(map, accuracy.product_bits)),
+          constants(map.enclosed_constants(accuracy.product_bits)),
           guide(map, rounded_constants(map)) {
         accuracy.slowest_fast = by.slowest_fast;
         accuracy.digits_below_width = by.digits_below_width;

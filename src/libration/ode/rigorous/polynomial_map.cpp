@@ -1,5 +1,8 @@
 #include "polynomial_map.hpp"
 
+#include "libration/ode/constant_value.hpp"
+#include "libration/scalar/precision_scope.hpp"
+
 namespace libration::ode {
 
 namespace {
@@ -43,6 +46,15 @@ polynomial_map::polynomial_map(const lifted_system& of)
             }
         }
     }
+}
+
+std::vector<ball> polynomial_map::enclosed_constants(long bits) const {
+    const precision_scope scope(decimal_digits(bits));
+    std::vector<ball> all;
+    for (const number& each : constants()) {
+        all.push_back(constant_value<ball>::of(each));
+    }
+    return all;
 }
 
 }  // namespace libration::ode

@@ -23,6 +23,8 @@ public:
     /// The rows and columns of the entries of f_y that are not identically 0.
     const std::vector<std::pair<std::size_t, std::size_t>>& places() const { return places_; }
     const std::vector<number>& constants() const { return tape_.constants(); }
+    /// The same as balls of so many bits.
+    std::vector<ball> enclosed_constants(long bits) const;
 
     template <class Value>
     struct result {

@@ -47,15 +47,6 @@ magnitude bound_of_time(const step_interval& on) {
     return std::max(magnitude(on.start), magnitude(on.start + on.length));
 }
 
-std::vector<ball> enclosed_constants(const polynomial_map& map, long bits) {
-    const precision_scope scope(decimal_digits(bits));
-    std::vector<ball> result;
-    for (const number& each : map.constants()) {
-        result.push_back(constant_value<ball>::of(each));
-    }
-    return result;
-}
-
 }  // namespace
 
 // Suprema on the step, of scaled unknowns and with the time x.
@@ -111,7 +102,7 @@ struct tube_proof::bounds {
 tube_proof::tube_proof(const polynomial_map& map, long bits, long frame_bits, long node_bits)
     : map_(map),
       bits_(bits),
-      constants_(enclosed_constants(map, bits)),
+      constants_(map.enclosed_constants(bits)),
       by_coefficients_(map, constants_, bits, frame_bits),
       by_nodes_(map, constants_, bits, frame_bits, node_bits) {
     for (const ball& each : constants_) {
