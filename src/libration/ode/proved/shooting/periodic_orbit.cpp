@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "../needed_bits.hpp"
 #include "libration/ode/first_order_form.hpp"
 #include "libration/ode/proved/event_search.hpp"
 #include "libration/ode/proved/proved_root.hpp"
 #include "libration/scalar/ball/decimal.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"
-#include "needed_bits.hpp"
 
 namespace libration::ode {
 
