@@ -119,7 +119,7 @@ TEST_CASE("a root has a certificate of both sides and of what lies between", "[c
         REQUIRE(other.exit_code == 0);
         CHECK(checked(folder.path() / "a.cert").exit_code == 0);
     }
-    const auto several = run_libration(asked + words{"--such-that", "y(1) = y(2)"} + certified, folder.path());
+    const auto several = run_libration(asked + words{"--such-that", "y(1) + y'(1) = 1"} + certified, folder.path());
     CHECK(several.exit_code == 2);
     CHECK(contains(several.err, "roots of one condition such as y(1) = 1/2"));
     check_refused(words{"find", "--problem", "lorenz", "--periodic"} + certified, {"--certificate", "periods"}, folder);
