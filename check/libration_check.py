@@ -6,16 +6,11 @@ A polynomial in x on [-1, 1] is a list a of integers, with an exponent k that is
     2^-k (a[0] + sum over j > 0 of 2 a[j] T_j(x)) = 2^-k (sum over |j| < len(a) of a[|j|] z^j),   x = (z + 1/z)/2,
 so that the sum of all |a[|j|]| is a bound, and products are products of polynomials in z.
 """
-import ast
-import math
-import re
-import sys
-import zlib
+import ast, math, re, sys, zlib
 from fractions import Fraction
 from functools import cache, reduce
 
 PARTS, ONE = 8, Fraction(1)        # of a step, on each of which the rate of a mode is bounded
-
 class Refused(Exception):
     pass
 def need(condition, reason):
@@ -71,11 +66,12 @@ def formula(text):
             return names[int(node.func.id[1:])], tree(node.args[0])
         if isinstance(node, ast.Name):
             return names[int(node.id[1:])]
+        if isinstance(node, ast.List) and len(node.elts) == 2:
+            return "between", tree(node.elts[0]), tree(node.elts[1])
         need(isinstance(node, ast.Constant) and type(node.value) is int, "'%s' is not understood" % text)
         return Fraction(node.value)
     code = re.sub(r"(?<!\w)[^\W\d]\w*'*", lambda m: names.append(m.group()) or "n%d" % (len(names) - 1), text)
     return tree(ast.parse(code.replace("^", "**"), mode="eval").body)
-
 # A polynomial in the variable (number 0) and the unknowns (1, 2, ...): {sorted tuple of numbers: coefficient}.
 def plus(a, b):
     result = {m: a.get(m, 0) + b.get(m, 0) for m in {**a, **b}}
@@ -119,7 +115,6 @@ def as_polynomial(tree, names, added):
 class Enclosures:   # values of formulas as pairs (lower, upper) of fractions, to about `bits` bits behind the point
     def __init__(self, bits):
         self.bits = bits
-
     def of(self, tree, names):
         if isinstance(tree, Fraction):
             return tree, tree
@@ -127,11 +122,11 @@ class Enclosures:   # values of formulas as pairs (lower, upper) of fractions, t
             need(tree in names or tree == "pi", "unknown name '%s'" % tree)
             return names[tree] if tree in names else self.pi()
         kind, (a, b) = tree[0], self.of(tree[1], names)
-        if kind in ("+", "*", "/"):
+        if kind in ("+", "*", "/", "between"):
             c, d = self.of(tree[2], names)
             need(kind != "/" or c > 0 or d < 0, "a start divides by 0")
             c, d = (1 / d, 1 / c) if kind == "/" else (c, d)
-            four = a * c, a * d, b * c, b * d
+            four = (a, b, c, d) if kind == "between" else (a * c, a * d, b * c, b * d)
             return (a + c, b + d) if kind == "+" else (min(four), max(four))
         if kind in ("exp", "sin", "cos"):                      # |sin'|, |cos'| <= 1, and exp increases
             low, high = self.entire(a, kind)
@@ -143,7 +138,6 @@ class Enclosures:   # values of formulas as pairs (lower, upper) of fractions, t
         need(a > 0 and kind in ("^", "log"), "a start takes the '%s' of a number that is not positive" % kind)
         low, high = sorted((r * self.log(a)[0], r * self.log(b)[1]))                                # a^r = exp(r log a)
         return (low, high) if kind == "log" else (self.entire(low, "exp")[0], self.entire(high, "exp")[1])
-
     def entire(self, x, kind):
         """By terms x^j/j!: each has an error below 2 e^|x| units, the argument one of e^|x|, the rest is below 8."""
         need(abs(x) < 1000, "a start has an argument that is too large")
@@ -219,7 +213,6 @@ class Problem:      # the head of a certificate: equations, their polynomial for
         need(self.claims and all(len(x) == 4 and x[1] in self.state for x in self.claims), "an unclear claim")
         (self.steps,) = r.integers("steps", 1)
         self.make_polynomial_form(names, [(name, formula(text)) for name, text in defined], Enclosures(start_bits))
-
     def make_polynomial_form(self, names, defined, values):
         """right[i] with y_(i+1)' = right[i], by the chain rule for the added unknowns, and enclosures of the start."""
         own = {x: {(k,): ONE} for k, x in enumerate(names)}
@@ -244,7 +237,6 @@ class Problem:      # the head of a certificate: equations, their polynomial for
             exact = all(start[names[l]][0] == start[names[l]][1] for m in g for l in m)
             self.zero_start = exact and sum(c * math.prod(start[names[l]][0] for l in m) for m, c in g.items()) == 0
             self.functions = [g, self.slope(g)]
-
     def slope(self, u):                            # the derivative of a polynomial along the solution
         return reduce(plus, [times(partial(u, k + 1), f) for k, f in enumerate(self.right)], partial(u, 0))
     def statement(self):
@@ -282,14 +274,12 @@ class Step:         # polynomials of the scaled unknowns and their frame, brough
         k, (first, last) = r.section("radii", len(sizes), 2)
         need(len(first) == len(last) == len(sizes) and min(first + last) >= 0, "the radii are not numbers >= 0")
         self.R0, self.R1 = [[self.up(m * two(-e)) for m, e in zip(x, k)] for x in (first, last)]
-
     def up(self, x):
         return math.ceil(x * (1 << self.problem.bits))
     def bound(self, a, k):                                                              # of |2^-k a(x)|
         return self.up(norm(a) * two(-k))
     def times(self, a, b):                         # the product of two matrices of bounds
         return [[-(-sum(x * y for x, y in zip(row, column)) >> self.problem.bits) for column in zip(*b)] for row in a]
-
     def check(self, old):
         n, V = self.n, self.V
         Z = matrix(n, lambda i, j: add(dot(self.U[i], [row[j] for row in V]), [-(i == j) << self.ku + self.kv]))
@@ -315,7 +305,6 @@ class Step:         # polynomials of the scaled unknowns and their frame, brough
                               for c, columns in enumerate(self.blocks))
                 need(2 * growth <= self.R1[b] - self.R0[b] << self.problem.bits,
                      "growth of the radius of block %d at the %s end" % (b + 1, end))
-
     def rate(self, B, rows, unit):                 # at least the largest eigenvalue of the symmetric part of a block
         def above(a):
             slope = Fraction(norm(derivative(a)), PARTS)
@@ -326,7 +315,6 @@ class Step:         # polynomials of the scaled unknowns and their frame, brough
         a, d, mixed = above(B[i][i]), above(B[i + 1][i + 1]), add(B[i][i + 1], B[i + 1][i])
         c = [max(abs(x), abs(y)) for x, y in zip(above(mixed), above(scaled(mixed, -1)))]
         return max(-(-(x + y + root_up((x - y)**2 + w * w)) // 2) for x, y, w in zip(a, d, c))
-
     def check_joint(self, old):                    # {centre + frame e}, in which the step begins, is in its tube
         centre, frame, blocks, radii = old
         R, U = range(self.n), [[value(a, -ONE) * two(-self.ku) for a in row] for row in self.U]
@@ -338,7 +326,6 @@ class Step:         # polynomials of the scaled unknowns and their frame, brough
             total = size_of(moved, rows, range(1)) << self.problem.bits
             total += sum(size_of(turned, rows, columns) * r for columns, r in zip(blocks, radii))
             need(total <= self.R0[b] << self.problem.bits, "start or joint: radius of block %d" % (b + 1))
-
     def field(self):
         """Bounds of V^-1 (p' - f), J = f_y(p) in units of 1/(Q 2^k), bounds of its change in the tube, and of V."""
         n, right, e = self.n, self.problem.right + self.problem.functions, [0] + self.scales
@@ -375,14 +362,12 @@ class Step:         # polynomials of the scaled unknowns and their frame, brough
                           for a, x in zip(d[n:], Dg)]
         turned = [[self.up(norm(dot(row, d)) / (Q * two(self.ku + most * kp)))] for row in self.U]
         return self.times(self.N1, turned), J, DJ, size, Q, (most - 1) * kp
-
     def at(self, x):                               # the set at x: centre, frame, blocks and radii
         return ([value(a, x) * two(e - self.kp) for a, e in zip(self.p, self.scales)],
                 [[value(a, x) * two(e - self.kv) for a in row] for row, e in zip(self.V, self.scales)], self.blocks,
                 [math.ceil(a + (b - a) * (x + 1) / 2) for a, b in zip(self.R0, self.R1)])
     def places(self, times):                       # as values of x
         return [2 * (t - self.begin) / self.length - 1 for t in times]
-
     def check_claim(self, claim):                  # true if its last time is in the step: its interval has the tube
         times = self.places(map(fraction, self.problem.zeros.get(claim[0], claim[:1])))
         u, v = max(times[0], -ONE), min(times[-1], ONE)
@@ -397,7 +382,6 @@ class Step:         # polynomials of the scaled unknowns and their frame, brough
         need(fraction(claim[2]) <= centre[i] - reach and centre[i] + reach <= fraction(claim[3]),
              "the value of %s at %s is not proved to be in its interval" % (claim[1], claim[0]))
         return times[-1] <= 1
-
     def sure(self, k, u, v):                       # the sign on [u, v] of the condition, k = 0, or of its derivative,
         a, slope, reach = self.functions[k]        # if the middle and a bound of the slope prove it, or 0
         y = value(a, (u + v) / 2)
@@ -410,7 +394,6 @@ class Step:         # polynomials of the scaled unknowns and their frame, brough
             return left
         s = self.functions[0][1] * (v - u) > self.functions[0][2] and self.sign(u, (u + v) / 2)
         return s and s * (s == self.sign((u + v) / 2, v))
-
     def check_zeros(self):                         # true if the last one is before the end of the step
         ends = self.places(self.problem.ends)
         need(ends == sorted(ends), "the zeros are not in the order of the steps")
@@ -422,7 +405,24 @@ class Step:         # polynomials of the scaled unknowns and their frame, brough
                 self.problem.sign = s
         return ends[-1] <= 1
 
-def check(text):                                   # the proved statement; raises Refused
+def check(text):
+    """The proved statement; of certificates for two starts and all between them with what follows. Raises Refused."""
+    parts = text.split("\nend\n")
+    if len(parts) != 4:
+        return check_one(text).statement()
+    low, high, both = problems = [check_one(part + "\nend\n") for part in parts[:3]]
+    same = {(x.variable, x.t0, str(x.equations), *x.claims[0][:2]) for x in problems}
+    need(len(same) == 1 and not low.zeros and parts[3] == "", "three certificates that are not of one problem")
+    texts, k = [x.statement() for x in problems], next((k for k, x in enumerate(low.starts) if x != high.starts[k]), 0)
+    first, last, between = [x.starts.pop(k) for x in problems]
+    need(low.starts == high.starts == both.starts and between == "[%s, %s]" % (first, last), "starts that do not match")
+    (time, name, a, b), (_, _, c, d) = low.claims[0], high.claims[0]
+    ends = min(b, d, key=fraction), max(a, c, key=fraction)
+    need(fraction(ends[0]) < fraction(ends[1]), "values that are not apart")
+    texts.append("For each number between %s and %s some %s(%s) in " % (*ends, low.state[k], low.t0) + between)
+    return "\n".join(texts) + " has %s(%s) equal to it." % (name, time)
+
+def check_one(text):                               # a certificate that is proved
     r = Reader(text)
     problem = Problem(r)
     n, time, claims, zeros = range(len(problem.right)), problem.t0, problem.claims, not problem.condition
@@ -439,7 +439,7 @@ def check(text):                                   # the proved statement; raise
         time, state = time + step.length, step.at(ONE)
     need(r.lines[r.at:] == ["end", ""], "the steps do not end with 'end'")
     need(zeros and not claims, "no step contains the time of a claim or a zero")
-    return problem.statement()
+    return problem
 
 if __name__ == "__main__":
     try:

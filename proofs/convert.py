@@ -82,8 +82,8 @@ def read_steps(r, problem):
 def convert(text, name):
     r = checker.Reader(text)
     problem = checker.Problem(r)
-    if problem.condition:
-        raise NotCovered("a condition, of which there are zeros")
+    if problem.condition or text.count("\nend\n") > 1:
+        raise NotCovered("zeros of a condition, or a root")
     unit = lcm(1, *[c.denominator for f in problem.right for c in f.values()])
     items, ordered = read_steps(r, problem)
     statement = Statement(problem, unit, ordered, functions_of(problem, text) if len(problem.right) > len(problem.state) else [])

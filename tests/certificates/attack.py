@@ -16,6 +16,7 @@ import zlib
 from fractions import Fraction
 
 sys.dont_write_bytecode = True
+import roots  # noqa: E402
 import zeros  # noqa: E402
 
 CHECKER = pathlib.Path(__file__).resolve().parents[2] / "check" / "libration_check.py"
@@ -42,7 +43,7 @@ CONDITIONS = [
     ("names are different", " and len(set(names)) == len(names)", ""),
     ("functions of a start", 'need(a > 0 and kind in ("^", "log"),', "need(True,"),
     ("start of quotients", 'need(kind != "/" or c > 0 or d < 0,', "need(True,"),
-] + zeros.CONDITIONS
+] + zeros.CONDITIONS + roots.CONDITIONS
 
 
 def checker(old="", new=""):
@@ -160,8 +161,9 @@ def false_certificates(parts):
 HEAD = "libration-certificate 1\nvariable t\nat 0\n"
 
 
-def exponential(length, radii, growth=1, claim="0 1000000", frame="V 0\n1", inverse="U 0\n1", size=80):
-    """One step for y' = y, y(0) = 1, with the Taylor polynomial of exp(growth t) as curve."""
+def exponential(length, radii, growth=1, claim="0 1000000", frame="V 0\n1", inverse="U 0\n1", size=80,
+                start="1", middle=1):
+    """One step for y' = y, y(0) = `start`, with the Taylor polynomial of `middle` exp(growth t) as curve."""
     bits = 300
     powers, term = [], Fraction(1)
     for k in range(size):                                # exp(g h/2 (1 + x)) = exp(g h/2) sum (g h x/2)^k/k!
@@ -169,9 +171,9 @@ def exponential(length, radii, growth=1, claim="0 1000000", frame="V 0\n1", inve
         term = term * growth * length / 2 / (k + 1)
     chebyshev = [sum(powers[k] * math.comb(k, (k - j) // 2) / Fraction(2)**(k - 1 if j else k)
                      for k in range(j, size, 2)) * sum(powers) for j in range(size)]
-    lists = [round((c / 2 if j else c) * 2**bits) for j, c in enumerate(chebyshev)]
+    lists = [round((c / 2 if j else c) * middle * 2**bits) for j, c in enumerate(chebyshev)]
     return HEAD + "\n".join([
-        "equation y' = y", "start 1", "bits 400 500", "claim %s y %s" % (length, claim), "steps 1", "step 4",
+        "equation y' = y", "start " + start, "bits 400 500", "claim %s y %s" % (length, claim), "steps 1", "step 4",
         "%x" % int(length * 16), "scale 0", "blocks 1", "p %d" % bits, " ".join("%x" % x for x in lists), frame, inverse,
         "radii 200", "%x" % radii[0], "%x" % radii[1], "end", ""])
 
@@ -278,13 +280,14 @@ def main():
         mutations(whole, text, statement, asked.mutations, source)
         attacks += list(false_certificates(parts)) + list(boundary(whole, parts))
     attacks += zeros.made_certificates(accepted, whole, exponential)
+    attacks += roots.made_certificates(accepted, whole, exponential)
     # A larger radius may be proved as well: those certificates are true.
     attacks = [(name, text) for name, text in attacks if accepted(whole, text) is None]
     print("%d certificates that are refused" % len(attacks))
     unseen = []
     for name, old, new in CONDITIONS:
         weaker = checker(old, new)
-        order = attacks[::-1] if (name, old, new) in zeros.CONDITIONS else attacks
+        order = attacks[::-1] if (name, old, new) in zeros.CONDITIONS + roots.CONDITIONS else attacks
         passed = next((what for what, text in order if accepted(weaker, text)), None)
         print("without '%s': %s" % (name, "accepts '%s'" % passed if passed else "NOTHING MORE IS ACCEPTED"))
         if not passed:

@@ -97,6 +97,34 @@ TEST_CASE("a certificate without one of its events is refused by the checker", "
     CHECK(contains(refused.out, "the sign of the condition in its interval 1"));
 }
 
+// y = s sin t with y(1) = 1: s = 1/sin 1.
+TEST_CASE("a root has a certificate of both sides and of what lies between", "[command][find][certificate]") {
+    const temporary_folder folder;
+    const words asked{"find", "--problem", "y'' = -y; y(0) = 0; y'(0) = s; s = 1", "--unknown", "s"};
+    const words certified{"--digits", "8", "--certificate", "a.cert"};
+    const auto done = run_libration(asked + words{"--such-that", "y(1) = 1"} + certified, folder.path());
+    INFO(done.err);
+    REQUIRE(done.exit_code == 0);
+    const auto proved = checked(folder.path() / "a.cert");
+    INFO(proved.out);
+    CHECK(proved.exit_code == 0);
+    CHECK(contains(proved.out, "some y'(0) in [118839509/100000000, 118839511/100000000] has y(1) equal to it."));
+    // The parameter of an equation, and functions of a start that is an interval.
+    for (const auto& [problem, unknown] : {std::pair("y'' = -k*sin(y); y(0) = 1; y'(0) = 0; k = 1", "k"),
+                                           std::pair("y'' = -exp(y)/(2 + cos(y)); y(0) = 0; y'(0) = 1", "y(0)")}) {
+        const auto other = run_libration(
+            words{"find", "--problem", problem, "--unknown", unknown, "--such-that", "y(1/2) = 3/4"} + certified,
+            folder.path());
+        INFO(other.err);
+        REQUIRE(other.exit_code == 0);
+        CHECK(checked(folder.path() / "a.cert").exit_code == 0);
+    }
+    const auto several = run_libration(asked + words{"--such-that", "y(1) + y'(1) = 1"} + certified, folder.path());
+    CHECK(several.exit_code == 2);
+    CHECK(contains(several.err, "roots of one condition such as y(1) = 1/2"));
+    check_refused(words{"find", "--problem", "lorenz", "--periodic"} + certified, {"--certificate", "periods"}, folder);
+}
+
 TEST_CASE("problems without a certificate are refused", "[command][reference][certificate]") {
     const temporary_folder folder;
     const words certified{"--digits", "5", "--certificate", "a.cert"};

@@ -6,6 +6,7 @@
 
 #include "libration/ode/explicit_system.hpp"
 #include "libration/problem/answer.hpp"
+#include "libration/problem/problem.hpp"
 #include "libration/scalar/exact.hpp"
 
 namespace libration {
@@ -29,5 +30,13 @@ std::string certificate_of_states(const ode::explicit_system& system, const std:
 /// too.
 std::string certificate_of_events(const ode::explicit_system& system, const ode::expression& g, int way,
                                   const printed_rows& events, const request& how);
+
+/// The same for a root of find_unknowns: a parameter or an initial value f''(0), with its decimal, for which one
+/// condition such as f'(5) = 1 holds. The certificate proves the values at time 5 for the fractions one unit of the last
+/// digit below and above it, and that the solution exists up to there for all numbers between them: by continuity one of
+/// these satisfies the condition, if its value lies between those two. Throws error of the subject "certificate" for
+/// other conditions, and for a parameter on which an initial value depends.
+std::string certificate_of_root(const problem& of, const std::string& unknown, const std::string& condition,
+                                const std::string& decimal, const request& how);
 
 }  // namespace libration

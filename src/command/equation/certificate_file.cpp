@@ -66,4 +66,9 @@ void certify_events(const std::string& path, const ode::explicit_system& system,
     });
 }
 
+void certify_root(const std::string& path, const problem& of, const std::string& unknown, const std::string& condition,
+                  const std::string& decimal, const request& how) {
+    write_certificate(path, [&] { return certificate_of_root(of, unknown, condition, decimal, how); });
+}
+
 }  // namespace libration

@@ -20,4 +20,8 @@ void certify_states(const std::string& path, const ode::explicit_system& system,
 void certify_events(const std::string& path, const ode::explicit_system& system, const ode::event_request& request,
                     const table& events, const libration::request& how);
 
+/// The same of a root of find.
+void certify_root(const std::string& path, const problem& of, const std::string& unknown, const std::string& condition,
+                  const std::string& decimal, const request& how);
+
 }  // namespace libration

@@ -6,6 +6,7 @@
 #include <memory>
 #include <utility>
 
+#include "equation/certificate_file.hpp"
 #include "equation/problem_options.hpp"
 #include "equation/swept_problem.hpp"
 #include "find/found_solutions.hpp"
@@ -13,6 +14,7 @@
 #include "libration/problem/find.hpp"
 #include "libration/problem/known_facts.hpp"
 #include "option/options.hpp"
+#include "option/output_place.hpp"
 #include "option/subcommand.hpp"
 #include "run/ending_signal.hpp"
 #include "run/grid.hpp"
@@ -29,7 +31,7 @@ struct find_options {
     output_options output;
     std::optional<std::string> digits;
     std::vector<std::string> unknowns, conditions, guesses;
-    std::optional<std::string> along;
+    std::optional<std::string> along, certificate;
     bool periodic = false, check = false;
 };
 
@@ -96,6 +98,20 @@ answer found_by(const find_options& options, const problem& of, const request& h
         return find_unknowns(of, options.unknowns, options.conditions, how);
     } catch (const error& problem) {
         refuse(options, problem);
+    }
+}
+
+// Throws for a certificate of anything but a root of one condition at one time.
+void require_certifiable(const find_options& options) {
+    if (!options.certificate) {
+        return;
+    }
+    require_output_place("--certificate", *options.certificate);
+    if (options.periodic || options.along || options.unknowns.size() != 1 || options.conditions.size() != 1 ||
+        !options.guesses.empty() || is_at_infinity(options.conditions.front())) {
+        throw input_error("--certificate", *options.certificate,
+                          "contains one unknown and one condition such as y(1) = 2, and no periods, branches or limits",
+                          "leave it out");
     }
 }
 
@@ -201,6 +217,7 @@ int run_find(const find_options& options) {
         throw input_error("--such-that", options.conditions.front(), "is given together with --periodic",
                           "leave one of them out");
     }
+    require_certifiable(options);
     const auto guesses = first_guesses(options.guesses, options.unknowns);
     const auto along = options.along ? std::optional(read_along(options)) : std::nullopt;
     const problem of(options.problem.equations(first_values(guesses.front(), along)));
@@ -235,7 +252,12 @@ int run_find(const find_options& options) {
         }
         shown.step();
     }
-    return print_solutions(options, found, digits, ended);
+    const int code = print_solutions(options, found, digits, ended);
+    if (options.certificate && !found.solutions().empty()) {
+        certify_root(*options.certificate, of, options.unknowns.front(), options.conditions.front(),
+                     found.solutions().front().at(0, "value"), how);
+    }
+    return code;
 }
 
 }  // namespace
@@ -267,6 +289,12 @@ subcommand find_command(CLI::App& program) {
         ->add_option("--along", options->along,
                      "follow the branch of solutions in a parameter, past turning points: \"k=0:3.5:36\"")
         ->type_name("NAME=VALUES");
+    command
+        ->add_option(
+            "--certificate", options->certificate,
+            "of one unknown with one condition y(1) = 2: a file from which check/libration_check.py proves the "
+            "root again, in integers")
+        ->type_name("FILE");
     command->add_flag("--periodic", options->periodic, "the periodic orbit near the initial values, and its period");
     command->add_flag("--check", options->check,
                       "compare with a second proof by another route, exit 1 if they disagree");

@@ -36,10 +36,18 @@ struct claimed_value {
     std::optional<std::size_t> zero = {};
 };
 
-/// What a certificate proves: values at times, or at all zeros of a condition up to the last that is listed.
+/// All numbers between two fractions, instead of the initial value of the unknown or lower derivative with this index.
+struct start_interval {
+    std::size_t place = 0;
+    rational low, high;
+};
+
+/// What a certificate proves: values at times, or at all zeros of a condition up to the last that is listed; of every
+/// solution that begins in an interval, if there is one.
 struct certified_statement {
     std::vector<claimed_value> values;
     std::optional<certified_zeros> zeros = {};
+    std::optional<start_interval> start = {};
 };
 
 /// The text of a certificate: the equations as typed, the definitions of the unknowns added by the polynomial form, and

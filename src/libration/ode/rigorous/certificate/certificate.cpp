@@ -153,9 +153,10 @@ double better_limit(const explicit_system& system, claimed_statement& statement,
 std::string certificate_of(const explicit_system& system, const certified_statement& statement, long digits,
                            const std::function<void(const ball& reached, long bits)>& watch) {
     claimed_statement claimed(system, statement);
-    const std::string head = problem_of_certificate(system, claimed.form(), statement.zeros);
+    const std::string head = problem_of_certificate(system, claimed.form(), statement);
     run_choice choice{.bits = std::lround(static_cast<double>(digits) * bits_of_digit) + guard_of_first_run,
-                      .keeps_tubes = claimed.has_zeros()};
+                      .keeps_tubes = claimed.has_zeros(),
+                      .start = statement.start};
     choice.slowest_fast = better_limit(system, claimed, choice, watch);
     for (int run = 0; run < most_certificate_runs && choice.bits <= most_certificate_bits; ++run) {
         certified_run by(system, claimed.form(), choice);

@@ -154,7 +154,7 @@ bool holds_at_start(const explicit_system& system, const expression& condition) 
 }
 
 std::string problem_of_certificate(const explicit_system& system, const lifted_system& form,
-                                   const std::optional<certified_zeros>& zeros) {
+                                   const certified_statement& statement) {
     const auto point = system.point().fraction();
     if (!point) {
         refuse_problem("contains a fraction as initial time, and this one is another number",
@@ -174,7 +174,12 @@ std::string problem_of_certificate(const explicit_system& system, const lifted_s
     std::size_t place = 0;
     for (const auto& values : system.starts()) {
         for (const number& each : values) {
-            text += "start " + start_text(each, state[place++]) + "\n";
+            const bool open = statement.start && statement.start->place == place;
+            text += "start " +
+                    (open ? "[" + statement.start->low.str() + ", " + statement.start->high.str() + "]"
+                          : start_text(each, state[place])) +
+                    "\n";
+            ++place;
         }
     }
     names.clear();
@@ -185,7 +190,7 @@ std::string problem_of_certificate(const explicit_system& system, const lifted_s
     for (std::size_t k = 0; k < form.added.size(); ++k) {
         text += "define _" + std::to_string(k + 1) + " = " + in_form.of(form.added[k]) + "\n";
     }
-    return zeros ? text + "condition " + in_state.of(zeros->condition) + "\n" : text;
+    return statement.zeros ? text + "condition " + in_state.of(statement.zeros->condition) + "\n" : text;
 }
 
 }  // namespace libration::ode

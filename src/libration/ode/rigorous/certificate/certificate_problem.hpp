@@ -12,7 +12,7 @@ namespace libration::ode {
 /// The lines `variable`, `at`, `equation`, `start`, `define` and `condition` of a certificate. Throws error of the kind
 /// argument and the subject "certificate" if the format does not contain the problem.
 std::string problem_of_certificate(const explicit_system& system, const lifted_system& form,
-                                   const std::optional<certified_zeros>& zeros);
+                                   const certified_statement& statement);
 
 /// Whether the condition holds at the initial point. Throws the same error if the program that checks does not see it.
 bool holds_at_start(const explicit_system& system, const expression& condition);

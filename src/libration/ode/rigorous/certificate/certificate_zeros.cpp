@@ -50,12 +50,11 @@ zeros_on_steps::zeros_on_steps(const certified_zeros& of, const lifted_functions
       vanishes_(vanishes),
       bits_(bits),
       map_(with_condition_rows(form)),
+      constants_(map_.enclosed_constants(bits)),
       forms_(bits),
       start_(*form.form.system.point().fraction()) {
-    const precision_scope scope(decimal_digits(bits_));
-    for (const number& each : map_.constants()) {
-        constants_.push_back(constant_value<ball>::of(each));
-        constant_bounds_.emplace_back(constants_.back());
+    for (const ball& each : constants_) {
+        constant_bounds_.emplace_back(each);
     }
 }
 

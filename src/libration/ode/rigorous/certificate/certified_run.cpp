@@ -17,10 +17,41 @@ constexpr long guard_of_rounding = 8;
 constexpr long more_bits_of_bounds = 64;
 constexpr double digits_below_width = 4;
 
+// The box of all unknowns of the form, from a box of the given ones. The checker encloses the sine of [a, b] by that of
+// a, with b - a as radius.
+std::optional<tube_set> box_of_start(const lifted_system& of, const ball& time, const std::vector<ball>& given) {
+    expression_values<ball> values(of.leaves, time);
+    for (const ball& each : given) {
+        values.push_back(each);
+    }
+    for (const expression& each : of.added) {
+        ball value = values.of(each);
+        if (each.kind() == node_kind::function &&
+            (each.function() == function_kind::sin || each.function() == function_kind::cos)) {
+            value = widened(value, magnitude::radius_of(values.of(each.left())).shifted(2));
+        }
+        if (!is_finite(value)) {
+            return std::nullopt;
+        }
+        values.push_back(value);
+    }
+    tube_set set;
+    std::vector<magnitude> radii;
+    for (const ball& each : values.values()) {
+        set.centre.push_back(midpoint_alone(each));
+        const magnitude radius = magnitude::radius_of(each);
+        radii.push_back(radius + radius.shifted(-10));
+    }
+    set.errors = error_set(std::move(radii));
+    set.slow = set.centre.size();
+    return set;
+}
+
 }  // namespace
 
 certified_run::certified_run(const explicit_system& system, const lifted_system& form, const run_choice& choice)
     : form_(form),
+      begins_in_box_(choice.start.has_value()),
       integrator_(form, choice.bits, 0, {choice.slowest_fast, digits_below_width}),
       map_(form),
       rounding_(choice.bits - guard_of_rounding, integrator_.bits() + more_bits_of_bounds),
@@ -40,7 +71,10 @@ certified_run::certified_run(const explicit_system& system, const lifted_system&
     std::vector<magnitude> radii;
     for (const auto& values : system.starts()) {
         for (const number& each : values) {
-            const ball value = constant_value<ball>::of(each);
+            const bool open = choice.start && choice.start->place == given_.centre.size();
+            const ball value =
+                open ? hull(from_rational<ball>(choice.start->low), from_rational<ball>(choice.start->high))
+                     : constant_value<ball>::of(each);
             given_.centre.push_back(midpoint_alone(value));
             radii.push_back(magnitude::radius_of(value));
         }
@@ -53,7 +87,7 @@ long certified_run::bits_of_bounds() const { return bits_ + more_bits_of_bounds;
 
 bool certified_run::begin(const rational& farthest) {
     const precision_scope scope(decimal_digits(bits_));
-    auto set = lifted_set(form_, time_, given_);
+    auto set = start_set();
     if (!set) {
         return false;
     }
@@ -66,6 +100,11 @@ bool certified_run::begin(const rational& farthest) {
     const ball rest = from_rational<ball>(farthest) - time_;
     integrator_.begin(time_, *set, first_length(set->centre, rest));
     return prepare();
+}
+
+// The checker begins with the box of the enclosures of all unknowns, which matters if the given ones have a width.
+std::optional<tube_set> certified_run::start_set() const {
+    return begins_in_box_ ? box_of_start(form_, time_, given_.hull()) : lifted_set(form_, time_, given_);
 }
 
 bool certified_run::advance(const certificate_watch& watch) {

@@ -8,6 +8,7 @@
 
 #include "../polynomial_map.hpp"
 #include "certificate_step.hpp"
+#include "libration/ode/rigorous/certificate/certificate.hpp"
 #include "libration/ode/rigorous/collocation_integrator.hpp"
 
 namespace libration::ode {
@@ -20,6 +21,7 @@ struct run_choice {
     double slowest_fast = collocation_integrator::usual_slowest_fast;
     bool rounds = false;       ///< steps become those of a certificate
     bool keeps_tubes = false;  ///< by the suprema that a certificate has, also without rounding
+    std::optional<start_interval> start = {};
 };
 
 class certified_run {
@@ -44,10 +46,12 @@ public:
     long steps() const { return steps_; }
 
 private:
+    std::optional<tube_set> start_set() const;
     bool prepare();
     ball first_length(const std::vector<ball>& state, const ball& rest) const;
 
     const lifted_system& form_;
+    bool begins_in_box_;
     collocation_integrator integrator_;
     polynomial_map map_;
     step_rounding rounding_;
