@@ -84,6 +84,10 @@ TEST_CASE("resets at known times and by the state", "[problem][hybrid]") {
     CHECK_THROWS_WITH(solve(problem(neuron)), Catch::Contains("name of a column"));
     CHECK(agrees(value_at(renamed, "5", "x"), mpfr(2 - 2 * exp(mpfr(7 * log(mpfr(2)) - 5)))));
     CHECK(agrees(value_at(renamed, "5", "k"), mpfr(7)));
+    // All resets are from the values before.
+    const std::string swap = "x' = 0; y' = 0; x(0) = 1; y(0) = 2; when t = 1: x = y; y = x";
+    CHECK(agrees(value_at(swap, "2", "x"), mpfr(2)));
+    CHECK(agrees(value_at(swap, "2", "y"), mpfr(1)));
     // A projectile between walls at 0 and 1, in both directions.
     const std::string walls = "x'' = 0; x(0) = 1/3; x'(0) = 1; when x = 1: x' = -x'; when x = 0: x' = -x'";
     CHECK(agrees(value_at(walls, "5", "x"), mpfr(mpfr(2) / 3)));
