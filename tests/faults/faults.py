@@ -546,6 +546,22 @@ FAULTS = [
         ("a square added once", "square && c != length);", "false);"),
     ),
     *in_file(
+        "src/libration/ode/hybrid/proved/states_around.cpp", ["ode/hybrid/states_around_test.cpp"],
+        ("half of the ball of times", "magnitude::radius_of(times) * magnitude(2U)", "magnitude::radius_of(times)"),
+        ("the first box", "inside = inside && contains(box[i], image[i]);", "inside = inside && true;"),
+        ("moved to the middle of the times", "to - times, form", "to - midpoint_alone(times), form"),
+        ("slopes of the states alone", "form.slopes_at(around, times));", "form.slopes_at(states, times));"),
+    ),
+    *in_file(
+        "src/libration/ode/hybrid/proved/branch_entry.cpp", ["problem/hybrid_solution_test.cpp"],
+        ("sliding not recognised", "piece_->steps[each.index].sign() * each.orientation != start.sign",
+         "piece_->steps[each.index].sign() * each.orientation == 2 * start.sign"),
+        ("the branch before the crossing", "effect->orientation * direction_of(next_->way)",
+         "-effect->orientation * direction_of(next_->way)"),
+        ("resets from values that are reset", "with_leaves(value.value, leaves, before)",
+         "with_leaves(value.value, leaves, now)"),
+    ),
+    *in_file(
         "src/libration/ode/proved/event_search.cpp", [EVENTS],
         ("a piece passed over", "for (unsigned long k = first_pieces; k-- > 0;) {",
          "for (unsigned long k = first_pieces; --k > 0;) {"),

@@ -240,6 +240,14 @@ ode::equation_system problem_options::equations(
     return system;
 }
 
+void problem_options::state_first_branch() const {
+    if (!equations().is_smooth()) {
+        fmt::print(stderr,
+                   "libration: the results are those of the equations as they are at the initial point, up to the "
+                   "first event\n");
+    }
+}
+
 ode::explicit_system problem_options::choose_first_branch() const {
     const auto system = equations();
     if (system.is_smooth()) {

@@ -67,6 +67,9 @@ public:
     bool is_chosen() const;
     /// Throws input_error if no problem is given.
     void require() const;
+    /// For a problem with events or a piecewise right-hand side, a line on stderr: the results are those of the branch at
+    /// the initial point.
+    void state_first_branch() const;
     /// The problem solved for its highest derivatives. Throws input_error, also for --set without --problem.
     ode::explicit_system choose() const;
     /// The same; of a problem with events or a piecewise right-hand side the branch at its initial point.

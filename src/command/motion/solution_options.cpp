@@ -18,6 +18,7 @@ chosen_solution solution_options::choose(const arithmetic_options& numbers) cons
         throw input_error(*motion + " applies to motions of the pendulum, not to a --problem: leave one of them out");
     }
     if (problem_.is_chosen()) {
+        problem_.state_first_branch();
         return {problem_.general_solution(), "", std::to_string(usual_order_of_radius)};
     }
     chosen_motion chosen = motion_.choose_for(numbers.choose().scalar);

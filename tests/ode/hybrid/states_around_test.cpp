@@ -41,6 +41,12 @@ TEST_CASE("the box contains the solutions through each state at each time, at al
     CHECK(contains(moved.front(), state));
     CHECK(contains(moved.front(), upper_bound(state) * exp(ball(-1) / 8)));
     CHECK_FALSE(contains(moved.front(), ball(3) / 2));
+    // Backwards y' = -y grows, faster than at the states themselves.
+    const auto falling = form_of("y' = -y; y(0) = 1");
+    const auto around_falling = states_around(falling, {state}, times);
+    REQUIRE(around_falling);
+    const auto earlier = states_moved(falling, {state}, times, *around_falling, begin);
+    CHECK(contains(earlier.front(), upper_bound(state) * exp(ball(1) / 4)));
 }
 
 TEST_CASE("no box is found where a solution may not exist", "[ode][proved][hybrid]") {

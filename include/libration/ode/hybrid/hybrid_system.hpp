@@ -13,7 +13,7 @@ namespace libration::ode {
 /// The values of the step functions of a system, in order: -1 or 1, an integer; a constant may also be 0.
 using step_values = std::vector<number>;
 
-/// Something that happens where a function g crosses 0: the event or the step function of this index. `orientation` is
+/// What happens where a function g crosses 0: the event or the step function of this index. `orientation` is
 /// 1 if its own function, left - right or the argument, has the sign of g, -1 if it has the opposite sign.
 struct crossing_effect {
     std::size_t index = 0;

@@ -159,9 +159,10 @@ answer hybrid_solution::events(const std::string& condition, long count, const r
 
 namespace {
 
+constexpr const char* first_equations = "the equations as they are at the initial point, up to the first event";
+
 answer of_first_branch(answer found) {
-    found.notes.insert(found.notes.begin(),
-                       {"branch", "of the equations as they are at the initial point, up to the first event"});
+    found.notes.insert(found.notes.begin(), {"branch", "of " + std::string(first_equations)});
     return found;
 }
 
@@ -196,7 +197,11 @@ answer hybrid_solution::singularities(const std::optional<double>& within, const
 
 answer hybrid_solution::proved_radius(const series_request& of, const request& how) const {
     require_point(of.about);
-    return of_first_branch(first_.proved_radius(of, how));
+    answer found = first_.proved_radius(of, how);
+    for (answer_note& each : found.notes) {
+        each.text += "; of " + std::string(first_equations);
+    }
+    return found;
 }
 
 }  // namespace libration

@@ -165,7 +165,7 @@ bool hybrid_path::take() {
 // From the states after the event at a time of its ball to the branch from the beginning of that ball.
 bool hybrid_path::enter(const entered_branch& entered, const step_values& values) {
     if (!std::ranges::all_of(entered.state, [](const ball& x) { return is_finite(x); })) {
-        return ended(path_end::precision);
+        return ended(path_end::undecided, "the states after the event are not enclosed");
     }
     const ball times = next_->time;
     const ball begin = lower_bound(times);
@@ -181,7 +181,7 @@ bool hybrid_path::enter(const entered_branch& entered, const step_values& values
         const first_order_form form(piece->system);
         auto around = states_around(form, entered.state, times);
         if (!around) {
-            return ended(path_end::precision);
+            return ended(path_end::undecided, "the states after the event are not enclosed");
         }
         piece->state = states_moved(form, entered.state, times, *around, begin);
         piece->begins = times;
