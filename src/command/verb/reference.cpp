@@ -230,8 +230,8 @@ event_searcher searcher_of(const ode::equation_system& equations, const ode::exp
 }
 
 // Throws for what is written of the steps of a smooth system alone.
-void require_certifiable(const reference_options& options) {
-    if (!options.problem.equations().is_smooth()) {
+void require_certifiable(const reference_options& options, const problem_options& problem) {
+    if (!problem.equations().is_smooth()) {
         const char* const reason = "is not supported for a problem with events or a piecewise right-hand side";
         require_no_certificate(options, reason);
         require_no_times(options, reason);
@@ -248,7 +248,7 @@ int write_events(const reference_options& options, long digits) {
     }
     const auto system = options.problem.choose_first_branch();
     const auto search = searcher_of(options.problem.equations(), system);
-    require_certifiable(options);
+    require_certifiable(options, options.problem);
     const auto request = options.events.request(options.problem, system);
     if (request.from_start) {
         require_no_certificate(options, "contains the times after the initial point, and not that of --from-start");
@@ -282,12 +282,13 @@ int write_events(const reference_options& options, long digits) {
     return 0;
 }
 
-asked_solution problem_of_options(const reference_options& options, std::unique_ptr<solution> of) {
+asked_solution problem_of_options(const reference_options& options, const problem_options& problem, bool general) {
     refuse_motions(options);
     if (!options.times) {
         throw input_error("no times are given: add --times LIST, or --until \"x = 0\"");
     }
-    require_certifiable(options);
+    require_certifiable(options, problem);
+    auto of = problem.solution(general);
     if (options.trace && !of->closed_form().empty()) {
         throw input_error("--trace", *options.trace, "has no steps to record, since a closed form is used",
                           "add --general, or leave it out");
@@ -310,7 +311,7 @@ std::vector<asked_solution> asked_by(const reference_options& options, const std
         const bool general =
             options.integrator.integrates() || options.derivatives.differentiate() || options.certificate;
         for (const family_member& each : family) {
-            asked.push_back(problem_of_options(options, each.problem.solution(general)));
+            asked.push_back(problem_of_options(options, each.problem, general));
         }
     } else if (options.motions) {
         asked = motions_of_file(options);
@@ -363,6 +364,9 @@ int run_reference(const reference_options& options) {
     }
     const auto figure = options.plot.file(options.output);
     const auto family = options.problem.is_chosen() ? options.problem.family() : std::vector<family_member>(1);
+    if (family.size() > 1) {
+        require_no_certificate(options, "is of one solution, and --set chooses " + std::to_string(family.size()));
+    }
     if (figure && options.problem.is_chosen()) {
         options.plot.require_known(columns_of_states(family.front().problem.choose_first_branch()));
     }
