@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "../../proved/event_values.hpp"
+#include "../../proved/condition_system.hpp"
 #include "../../proved/needed_bits.hpp"
 #include "branch_search.hpp"
 #include "libration/ode/hybrid/proved/first_steps.hpp"
