@@ -67,4 +67,25 @@ condition_system with_condition(const explicit_system& system, const expression&
     return made;
 }
 
+std::vector<std::optional<number>> given_values(const explicit_system& system, const expression& g) {
+    std::vector<std::optional<number>> values;
+    for (const unknown_function& each : system.unknowns()) {
+        for (int j = 0; j < each.order; ++j) {
+            const expression leaf = unknown(each.name, j);
+            const expression factor = partial(g, leaf);
+            values.emplace_back();
+            if (factor.kind() != node_kind::constant || factor.is(0)) {
+                continue;  // g is not linear in it, and may have no value where the leaf is 0
+            }
+            const expression rest = replaced(g, [&](const expression& other) -> std::optional<expression> {
+                return same_form(other, leaf) ? std::optional(expression()) : std::nullopt;
+            });
+            if (rest.kind() == node_kind::constant) {
+                values.back() = -(rest.constant() / factor.constant());
+            }
+        }
+    }
+    return values;
+}
+
 }  // namespace libration::ode

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "libration/ode/explicit_system.hpp"
@@ -20,5 +21,9 @@ struct condition_system {
 /// g in the unknowns of the system, their lower derivatives and its variable. Throws error for a singular initial
 /// point.
 condition_system with_condition(const explicit_system& system, const expression& g);
+
+/// The value of each unknown or lower derivative that g = 0 determines by itself: that of a leaf in which g is linear,
+/// without other leaves.
+std::vector<std::optional<number>> given_values(const explicit_system& system, const expression& g);
 
 }  // namespace libration::ode

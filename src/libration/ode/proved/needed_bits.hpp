@@ -27,6 +27,23 @@ inline std::string text_of_time(const number& time) {
     return to_decimal(constant_value<mpfr>::of(time), 12);
 }
 
+// An event undecided with this number of bits, and this multiple of those of the first run, is rejected.
+inline constexpr long most_undecided_bits = 4096;
+inline constexpr long most_undecided_factor = 16;
+
+inline constexpr long digits_of_bounds = 12;
+
+// An exact number, rounded down or up.
+inline std::string bound_text(const ball& exact, mpfr_rnd_t rounding) {
+    const mpfr value = midpoint_of(exact);
+    return value == 0 ? "0" : parts_of(value, digits_of_bounds, rounding).text();
+}
+
+// Decimals between which every number of the ball lies.
+inline std::string bounds_text(const ball& x) {
+    return "[" + bound_text(lower_bound(x), MPFR_RNDD) + ", " + bound_text(upper_bound(x), MPFR_RNDU) + "]";
+}
+
 /// The bits of a run, and of the next one.
 class needed_bits {
 public:

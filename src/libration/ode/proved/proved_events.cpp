@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "condition_system.hpp"
-#include "event_values.hpp"
 #include "libration/scalar/error.hpp"
 #include "needed_bits.hpp"
 

@@ -30,8 +30,9 @@ struct path_event {
     ball time;
     std::optional<number> exactly = {};
     crossing way = crossing::any;
-    std::vector<ball> state;  ///< before the event; at a known time computed on demand
-    std::string text;         ///< the condition as written
+    std::vector<ball> state;            ///< before the event; at a known time computed on demand
+    std::vector<ball> on_the_way = {};  ///< at all times of the ball, on the branch before the event
+    std::string text;                   ///< the condition as written
 };
 
 class branch_search;
@@ -128,7 +129,7 @@ private:
     std::optional<path_event> next_;         // at which the branch ends
     std::optional<surface> crossed_;         // there
     std::optional<path_event> observed_event_;
-    std::vector<ball> before_last_;  // the states before the event at which the branch begins
+    std::vector<ball> before_last_;  // on the branch before, at all times of the ball in which this one begins
     ball first_time_, last_time_;    // the initial time, and that of the last event
     long count_ = 0;                 // of events
     long shorter_ = 0;               // of the last intervals, those that were far shorter than the time

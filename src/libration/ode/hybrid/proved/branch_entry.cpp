@@ -187,7 +187,7 @@ bool hybrid_path::enter(const entered_branch& entered, const step_values& values
         piece->begins = times;
         piece->on_the_way = *std::move(around);
     }
-    before_last_ = next_->state;
+    before_last_ = next_->on_the_way;
     last_time_ = times;
     ++count_;
     piece_ = std::move(piece);

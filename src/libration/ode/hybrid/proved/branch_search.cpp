@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "../../proved/event_values.hpp"
 #include "../../proved/needed_bits.hpp"
 
 namespace libration::ode {

@@ -2,7 +2,7 @@
 #include <string>
 #include <utility>
 
-#include "../../proved/event_values.hpp"
+#include "../../proved/needed_bits.hpp"
 #include "libration/ode/hybrid/proved/hybrid_trajectory.hpp"
 #include "path_limits.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "../../proved/event_values.hpp"
+#include "../../proved/condition_system.hpp"
 #include "../../proved/needed_bits.hpp"
 #include "branch_search.hpp"
 #include "libration/ode/hybrid/proved/first_steps.hpp"
@@ -133,6 +133,7 @@ bool hybrid_path::find(const std::optional<number>& end, long horizon) {
             event.time = found->event->time;
             event.way = found->event->way;
             event.state = found->event->state;
+            event.on_the_way = event.state;
             const auto given = given_values(piece_->system, of.g);
             for (std::size_t k = 0; k < given.size(); ++k) {
                 event.state[k] = given[k] ? enclosed_number(*given[k]) : event.state[k];

@@ -5,7 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "../../proved/event_values.hpp"
 #include "../../proved/needed_bits.hpp"
 #include "libration/ode/hybrid/proved/hybrid_path.hpp"
 #include "libration/scalar/error.hpp"
