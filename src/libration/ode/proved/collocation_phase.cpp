@@ -48,7 +48,8 @@ collocation_phase::collocation_phase(const lifted_system& of, long bits, const p
 long collocation_phase::cost_of_step() const {
     constexpr long at_200_bits = 32;
     const long bits = std::max(200L, bits_);
-    return at_200_bits * bits * bits / (200 * 200);
+    const auto columns = static_cast<long>(varied_ ? 1 + system_.given : 1);
+    return at_200_bits * bits * bits / (200 * 200) * columns * columns;
 }
 
 long collocation_phase::first_interval() const { return steps_without_fast_modes * cost_of_step(); }
@@ -77,7 +78,8 @@ bool collocation_phase::may_begin(long steps, const magnitude& length, const bal
         case integrator_choice::collocation: return true;
         case integrator_choice::automatic: break;
     }
-    return length * magnitude(steps_worth_preparation(bits_)) <= magnitude(rest);
+    const unsigned long columns = with_derivative ? 1 + system_.given : 1;
+    return length * magnitude(steps_worth_preparation(bits_) * columns * columns) <= magnitude(rest);
 }
 
 // The unknowns of the form and then, column by column, its derivatives with respect to the given ones: the identity,
