@@ -25,7 +25,7 @@ from argued import ARGUED  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # GCC's quadmath for the archives, which GCC has compiled.
-LIBRARIES = ["-lhwy", "-lflint-arb", "-lflint", "-lmpfr", "-lgmp"]
+LIBRARIES = ["-lhwy", "-lflint-arb", "-lflint", "-lmpfr", "-lgmp", "-lz"]
 TESTS = """
     truncation/bounds_test.cpp truncation/columns_test.cpp truncation/descent_test.cpp truncation/panels_test.cpp
     truncation/refusals_test.cpp truncation/theta_series_test.cpp
@@ -75,7 +75,8 @@ def run(command, **more):
 
 
 def flags():
-    names = {"LIBRATION_SOURCE_DIR": ROOT, "LIBRATION_REFERENCE_DIR": ROOT / "tests/reference"}
+    names = {"LIBRATION_SOURCE_DIR": ROOT, "LIBRATION_REFERENCE_DIR": ROOT / "tests/reference",
+             "LIBRATION_CHECKER": ROOT / "check/libration_check.py"}
     return ["clang++", "-std=c++20", "-O1", "-w", *(f'-D{name}="{value}"' for name, value in names.items()),
             *(f"-I{ROOT}/{room}" for room in ("include", "tests", "src", "src/command"))]
 

@@ -27,11 +27,12 @@ from faults import FAULTS  # noqa: E402
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LONGEST = 900  # seconds, of a test program without a fault
 SLOWER, SHORTEST = 10, 60  # with one: so many times as long as without, and at least so many seconds
-LIBRARIES = ["-lhwy", "-lflint-arb", "-lflint", "-lmpfr", "-lgmp", "-lquadmath"]
+LIBRARIES = ["-lhwy", "-lflint-arb", "-lflint", "-lmpfr", "-lgmp", "-lz", "-lquadmath"]
 
 
 def flags(tree):
-    names = {"LIBRATION_SOURCE_DIR": ROOT, "LIBRATION_REFERENCE_DIR": ROOT / "tests/reference"}
+    names = {"LIBRATION_SOURCE_DIR": ROOT, "LIBRATION_REFERENCE_DIR": ROOT / "tests/reference",
+             "LIBRATION_CHECKER": ROOT / "check/libration_check.py"}
     return ["-std=c++20", "-O1", "-DLIBRATION_COMPILED", *(f'-D{name}="{value}"' for name, value in names.items()),
             f"-I{tree}/include", f"-I{tree}/tests", f"-I{tree}/src", f"-I{tree}/src/command"]
 
