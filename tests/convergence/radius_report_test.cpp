@@ -79,8 +79,7 @@ TEMPLATE_LIST_TEST_CASE("what has no radius gets none from any test", "[converge
     check_no_radius(report(power_series<T>::zero(0)), "no finite radius seen up to N = 0: all coefficients are 0");
     auto polynomial = power_series<T>::zero(20);
     polynomial[3] = T(1);
-    check_no_radius(report(polynomial),
-                    "no finite radius seen up to N = 20: all coefficients after n = 3 are 0");
+    check_no_radius(report(polynomial), "no finite radius seen up to N = 20: all coefficients after n = 3 are 0");
 }
 
 TEMPLATE_LIST_TEST_CASE("no list makes a test answer with what is no number", "[convergence][radius_report]",

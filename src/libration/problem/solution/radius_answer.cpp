@@ -94,8 +94,7 @@ std::string nearest_in_words(const radius_estimate<mpfr>& estimate, const estima
                  : estimate.count == 2 ? " and the point symmetric to it"
                                        : "";
     }
-    return estimate.kind == singularity_kind::unknown ? words + ", of undetermined kind"
-                                                      : words;
+    return estimate.kind == singularity_kind::unknown ? words + ", of undetermined kind" : words;
 }
 
 std::string joined(const std::vector<std::string>& names) {
