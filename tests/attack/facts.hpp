@@ -16,7 +16,7 @@ struct refusal_facts {
     std::optional<std::string> nothing_within;   ///< "shows no singularity within X"
     std::optional<std::string> radius_at_least;  ///< "of at most U and at least L, both proved"
     std::optional<std::string> radius_at_most;
-    bool touches = false;          ///< "the function touches 0 there"
+    bool touches = false;  ///< "the function touches 0 there"
 };
 
 refusal_facts facts_of(const std::string& message);
