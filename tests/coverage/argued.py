@@ -82,8 +82,6 @@ ARGUED = {
     (EVENTS, "if (parts_.empty()) {"): "the zero of joined pieces is on one of them: it says a mistake of the library",
     (EVENTS, "const bool narrow = no_use || p.is_narrow(march_.bits());"):
         "in a piece so short the rounding of the value in the middle exceeds its change; kept, because the halving ends by it",
-    (EVENTS, "magnitude::radius_of(wide) * magnitude(2U) <= magnitude::radius_of(span);"):
-        "in a piece as short as the enclosure of the turn halving is of no use, which is found before",
     (EVENTS, "(behind && known_sign(of_state(slope_, last * direction_)) != bent)) {"):
         "a slope that is too wide to have a sign behind the turn has none before it, where it is asked for first",
     (EVENTS, "if (sign != sign_) {"):
@@ -96,20 +94,14 @@ ARGUED = {
         "g is known at three quarters where it is at one quarter, unless its enclosures are much wider there",
     (EVENTS, "const auto is_beyond = [&](const ball& time) { return last && known_sign((time - *last) * direction_) > 0; };"):
         "the pieces of an event found behind the end begin at the end or before it, and so does its enclosure",
-    (EVENTS, "if (event && is_beyond(event->time)) {"): "as above",
     (MARCH, "if (choose_length() && !expand_set()) {"): "a set that has an expansion has one with more bits",
-    (MARCH, "if (collocation_->is_active() && collocation_->prepare() && !contains_zero(distance)) {"):
-        "sixty reductions have always led to a provable length; without one Taylor series continue",
     (SHOOTING, "if (difference == 0) {"): "steers the guess, proves nothing: two values that differ have missed differently",
     (SHOOTING, "if (mpfr_number_p(handle(value)) == 0) {"):
         "steers the guess: solutions from bad guesses end before, by an error",
     (ATOM, "return less(v, T(0)) && less(T(y * y * sqrt(y) * 4), T(s * v * v)) ? std::optional(side::below) : std::nullopt;"):
         "of a slope that is neither above nor below 0 nothing is said; no march has met it",
     (ATOM, "if (!(y > 0)) {"): "steers the bisection, proves nothing: what passes below 0 has been seen to do so before",
-    (ROOT, "if (bits_.now() <= bits) {"): "digits that fail ask for more bits themselves",
-    (ROOT, "if (!is_finite(step[i])) {"): "maps that are not finite end their march before",
     (ROOT, "if (!inverse) {"): "the second time: the same derivative had an inverse in Newton's method",
-    (ROOT, "if (!decimal) {"): MORE_BITS,
     (BOUNDS, "if (magnitude(length) < finest_ && magnitude(width) < finest_) {"): "cells become small in both ways together",
     (BOUNDS, "if (!certainly_less(ball(c.re * c.re + c.im * c.im), ball(cell.r1 * cell.r1))) {"):
         "the discs that are asked belong to cells that hold this one, with centres nearer to 0; theorem L needs it",

@@ -50,6 +50,8 @@ TESTS = """
     problem/far_behaviour_test.cpp problem/known/conditions_at_infinity_test.cpp problem/known/painleve_1_test.cpp
     ode/proved/ways_out_test.cpp ode/singularity/regular_coordinates_test.cpp
     ode/proved/solution_branch_test.cpp problem/known/kepler_test.cpp
+    ode/proved/stiff_events_test.cpp ode/proved/decay_coordinates_test.cpp ode/proved/conditions_at_times_test.cpp
+    problem/hybrid_solution_test.cpp problem/hybrid_attack_test.cpp problem/solution_test.cpp
 """.split()
 
 
