@@ -171,19 +171,27 @@ bool is_in_potential(const explicit_system& system) {
 }
 
 // A conserved quantity I satisfies I(x + F) = I(x): where F = 0, grad I dF/dx = 0, so that no periodic orbit is isolated.
-void require_isolated_orbits(const explicit_system& system) {
-    const bool potential = is_in_potential(system);
-    if (!potential && system.invariants().empty()) {
-        return;
-    }
+[[noreturn]] void refuse_family(const explicit_system& system, const std::string& reason) {
     const std::string x = system.unknowns().front().name;
     throw error(error_kind::undecided, "solution", "",
-                std::string("is not isolated: ") +
-                    (potential ? "the energy of a motion in a potential" : "the invariant of the problem") +
-                    " is conserved, so that periodic orbits come in families, one for each energy or period; "
-                    "without --periodic, one of them is determined by its half period T or its energy, if " +
+                reason +
+                    ", so that periodic orbits come in families, one for each energy or period; without --periodic, "
+                    "one of them is determined by its half period T or its energy, if " +
                     x + "'(0) = 0 and T is a parameter: use --unknown \"" + x + "(0)\" --such-that \"" + x +
                     "'(T) = 0\", or T as a second unknown and the energy at 0 as a second condition");
+}
+
+// find(); a failure is explained for a system that declares an invariant, which is not proved to be conserved.
+template <class Find>
+std::vector<proved_decimal> orbit_or_family(const explicit_system& system, const Find& find) {
+    try {
+        return find();
+    } catch (const error& problem) {
+        if (problem.kind() != error_kind::undecided || problem.subject() != "solution" || system.invariants().empty()) {
+            throw;
+        }
+        refuse_family(system, "was not found to be isolated: the problem declares that its invariant is conserved");
+    }
 }
 
 }  // namespace
@@ -197,7 +205,9 @@ periodic_orbit proved_periodic_orbit(const explicit_system& system, long digits,
                         "occurs in the equation: periodic orbits require an autonomous system");
         }
     }
-    require_isolated_orbits(system);
+    if (is_in_potential(system)) {
+        refuse_family(system, "is not isolated: the energy of a motion in a potential is conserved");
+    }
     std::vector<number> guess = form.starts;
     std::size_t held = 0;
     {
@@ -210,9 +220,11 @@ periodic_orbit proved_periodic_orbit(const explicit_system& system, long digits,
     std::vector<std::string> names = form.names;
     names.erase(names.begin() + static_cast<std::ptrdiff_t>(held));
     names.emplace_back("period");
-    auto values =
-        proved_root([&](const std::vector<ball>& x, long bits, long error_bits) { return closed(x, bits, error_bits); },
-                    guess, digits, names);
+    auto values = orbit_or_family(system, [&] {
+        return proved_root(
+            [&](const std::vector<ball>& x, long bits, long error_bits) { return closed(x, bits, error_bits); }, guess,
+            digits, names);
+    });
     const precision_scope scope(digits + 20);
     const auto fixed = to_proved_decimal(constant_value<ball>::of(form.starts[held]), digits);
     periodic_orbit orbit{form.names, std::move(values), {}};
