@@ -34,6 +34,12 @@ if(PYTHON)
         OUTPUT_VARIABLE printed
         COMMAND_ERROR_IS_FATAL ANY)
     expect(read_reference.py "${printed}" 32)
+    execute_process(
+        COMMAND ${PYTHON} -c "from reference_problems import PROBLEMS; print(PROBLEMS['logistic']['u'][7][0])"
+        WORKING_DIRECTORY ${folder}/reference_problems
+        OUTPUT_VARIABLE printed
+        COMMAND_ERROR_IS_FATAL ANY)
+    expect(reference_problems.py "${printed}" 32)
 else()
     message("read_reference.py is skipped: python3 is not installed")
 endif()
@@ -60,6 +66,18 @@ if(CC)
         OUTPUT_VARIABLE printed
         COMMAND_ERROR_IS_FATAL ANY)
     expect(read_reference.c "${printed}" 32)
+    file(WRITE ${folder}/print_last.c
+        "#include <stdio.h>\n"
+        "#include \"reference_problems.h\"\n"
+        "int main(void) { return puts(libration_references[libration_reference_count - 1].value[7]) < 0; }\n")
+    execute_process(
+        COMMAND ${CC} -Wall -Werror -I${folder}/reference_problems ${folder}/print_last.c -o ${folder}/print_last
+        COMMAND_ERROR_IS_FATAL ANY)
+    execute_process(
+        COMMAND ${folder}/print_last
+        OUTPUT_VARIABLE printed
+        COMMAND_ERROR_IS_FATAL ANY)
+    expect(reference_problems.h "${printed}" 32)
 else()
     message("read_reference.c is skipped: no C compiler is installed")
 endif()

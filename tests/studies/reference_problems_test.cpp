@@ -1,5 +1,6 @@
 // The studies of proved values against closed forms, and against values that were printed wrong.
 #include <catch2/catch.hpp>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,23 @@ TEST_CASE("reference values of the logistic equation and their condition numbers
         CHECK(row.at("condition_parameters") == "0");
         CHECK(row.at("changed_digit").empty());  // 1/2 is a double
         CHECK(row.at("rigour") == "proved");
+    }
+}
+
+// Problem A1 is y_i' = -k_i y_i from 1, k = 1/2, 1, 100, 90, up to t = 20: y3 is e^-2000 there.
+TEST_CASE("reference values of a stiff problem are those of its closed form at every scale", "[studies][proved]") {
+    const precision_scope scope(40);
+    const auto rows =
+        rows_by_suffix("reference_problems", {{"--problems", "stiff_a1"}, {"--scalar", "ball:50"}}).at("");
+    REQUIRE(rows.size() == 44);
+    CHECK(number_of(rows.front().at("time")) == mpfr(20) / 1024);
+    CHECK(number_of(rows.back().at("time")) == 20);
+    const std::map<std::string, mpfr> rates{{"y1", mpfr(1) / 2}, {"y2", 1}, {"y3", 100}, {"y4", 90}};
+    for (const table_row& row : rows) {
+        const mpfr y = exp(mpfr(-rates.at(row.at("unknown")) * number_of(row.at("time"))));
+        CHECK(abs(mpfr(number_of(row.at("value")) - y)) <= y * pow(mpfr(10), -29));
+        CHECK(row.at("digits") == "30");
+        CHECK(row.at("condition_start").empty());
     }
 }
 
