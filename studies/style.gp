@@ -126,9 +126,9 @@ in_arithmetic(s) = s[1:5] eq 'mpfr:' ? 'with '.arithmetic_name(s) : s[1:5] eq 'b
 rule_name(r) = r eq 'agm' ? 'exact T*' : (r[1:1] eq 's' ? 'series' : 'resummation').', N = '.r[strstrt(r, ':') + 1:*]
 test_name(m) = ask("echo '".m."' | sed 's/domb-sykes/Domb-Sykes/; s/mercer-roberts/Mercer-Roberts/; s/hunter-guerrieri/Hunter-Guerrieri/; s/\\([a-z]\\)-\\([a-z0-9]\\)/\\1 \\2/g'")
 # Problems of the catalogue with the names of persons and abbreviations as they are written.
-surnames = 'Arenstorf Blasius Duffing Falkner Skan Nagumo Heiles Kepler Lane Emden Lorenz Lotka Volterra Rayleigh Riccati Robertson Sakiadis Thomas Fermi Toda Pol Weierstrass Flierl Petviashvili Chazy'
+surnames = 'Arenstorf Blasius Brusselator Oregonator Duffing Falkner Skan Nagumo Heiles Kepler Lane Emden Lorenz Lotka Volterra Rayleigh Riccati Robertson Sakiadis Thomas Fermi Toda Pol Weierstrass Flierl Petviashvili Chazy'
 pairs = 'Falkner-Skan FitzHugh-Nagumo Hénon-Heiles Lane-Emden Lotka-Volterra Thomas-Fermi Flierl-Petviashvili'
-capital_rules = "s/^detest \\(.*\\)$/DETEST \\U\\1/; s/fitzhugh/FitzHugh/; s/henon/Hénon/; s/painleve/Painlevé/; s/hires/HIRES/; s/^se\\?ir/\\U&/; s/japan/Japan/"
+capital_rules = "s/^detest \\(.*\\)$/DETEST \\U\\1/; s/^stiff \\([a-f][1-6]\\)/stiff \\U\\1/; s/pollu/POLLU/; s/fitzhugh/FitzHugh/; s/henon/Hénon/; s/painleve/Painlevé/; s/hires/HIRES/; s/^se\\?ir/\\U&/; s/japan/Japan/"
 do for [each in surnames] { capital_rules = capital_rules.sprintf('; s/\<%s\>/\u&/I', each) }
 do for [each in pairs] { capital_rules = capital_rules.sprintf('; s/%s/%s/', each[1:strstrt(each, '-') - 1].' '.each[strstrt(each, '-') + 1:*], each) }
 problem_name(p) = ask("printf '%s' '".p."' | tr '_' ' ' | sed '".capital_rules."'")
