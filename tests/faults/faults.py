@@ -546,6 +546,12 @@ FAULTS = [
         ("a square added once", "square && c != length);", "false);"),
     ),
     *in_file(
+        "src/libration/ode/proved/equilibrium/stable_zero.cpp", ["ode/proved/limit_at_equilibrium_test.cpp"],
+        ("a box that does not contain its image", "return i < r; })) {", "return i < r || true; })) {"),
+        ("a coupling of modes", "growth += norm_of(sizes_of", "growth -= norm_of(sizes_of"),
+        ("the neighborhood of the zero alone", "box[i] = widened(zero[i], reach);", "box[i] = zero[i];"),
+    ),
+    *in_file(
         "src/libration/ode/hybrid/proved/states_around.cpp", ["ode/hybrid/states_around_test.cpp"],
         ("half of the ball of times", "magnitude::radius_of(times) * magnitude(2U)", "magnitude::radius_of(times)"),
         ("the first box", "inside = inside && contains(box[i], image[i]);", "inside = inside && true;"),

@@ -61,9 +61,9 @@ std::vector<proved_decimal> proved_for_infinity(const ode::equation_system& syst
                                                 const std::vector<std::string>& unknowns, const std::string& condition,
                                                 long digits);
 
-/// The unknowns at infinite time, each digit proved: for sir the state after the epidemic. Throws error of the kind
-/// undecided for a problem without a lemma.
-std::vector<proved_decimal> proved_limits(const ode::equation_system& system, long digits);
+/// The unknowns at infinite time, each digit proved, by a lemma on this problem: for sir the state after the epidemic.
+/// std::nullopt for a problem without one.
+std::optional<std::vector<proved_decimal>> limits_by_lemma(const ode::equation_system& system, long digits);
 
 /// The problems of the catalogue with known asymptotic behaviour, by name.
 std::vector<std::string> problems_with_far_behaviour();

@@ -296,10 +296,10 @@ asked_solution problem_of_options(const reference_options& options, const proble
     if (*options.times != infinite_time) {
         return {std::move(of), times_of_problem(*options.times), *options.times};
     }
-    require_no_integration(options, "has no meaning for --time inf, which is proved by a lemma");
-    require_no_certificate(options, "does not contain --time inf, which is proved by a lemma");
+    require_no_integration(options, "has no meaning for --time inf");
+    require_no_certificate(options, "does not contain --time inf");
     if (options.check) {
-        throw input_error("--check compares two proofs, and --time inf has only one, by a closed form: leave it out");
+        throw input_error("--check compares two proofs, and --time inf has only one: leave it out");
     }
     return {std::move(of), {}, infinite_time};
 }

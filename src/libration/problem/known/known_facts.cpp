@@ -114,19 +114,9 @@ std::vector<proved_decimal> proved_for_infinity(const ode::equation_system& syst
     return asked;
 }
 
-std::vector<proved_decimal> proved_limits(const ode::equation_system& system, long digits) {
+std::optional<std::vector<proved_decimal>> limits_by_lemma(const ode::equation_system& system, long digits) {
     const known_facts* const facts = known_facts_of(system);
-    if (facts == nullptr || !facts->limits) {
-        std::string names;
-        for (const known_facts& each : all_known_facts()) {
-            names += each.limits ? (names.empty() ? "" : ", ") + each.problem : "";
-        }
-        throw error(
-            error_kind::undecided, "time", "inf",
-            "is not reached by steps, and no lemma is available for this problem; the catalogue has lemmas for " +
-                names);
-    }
-    return facts->limits(system, digits);
+    return facts != nullptr && facts->limits ? std::optional(facts->limits(system, digits)) : std::nullopt;
 }
 
 std::vector<std::string> problems_with_far_behaviour() {

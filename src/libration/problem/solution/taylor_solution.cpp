@@ -11,6 +11,7 @@
 #include "libration/ode/constant_value.hpp"
 #include "libration/ode/invariant.hpp"
 #include "libration/ode/parse.hpp"
+#include "libration/ode/proved/equilibrium/limit_at_equilibrium.hpp"
 #include "libration/ode/proved/flow_derivatives.hpp"
 #include "libration/ode/proved/proved_events.hpp"
 #include "libration/ode/proved/proved_trajectory.hpp"
@@ -239,9 +240,26 @@ std::vector<std::string> taylor_solution::drifts(const std::vector<exact>& times
 
 answer taylor_solution::limits(const request& how) const {
     answer result{.names = quantities(), .rows = {{}}, .rigour = "proved"};
-    for (const proved_decimal& each : proved_limits(equations_, how.printed_digits())) {
-        result.rows.front().push_back(value_of(each));
+    auto& row = result.rows.front();
+    if (const auto known = limits_by_lemma(equations_, how.printed_digits())) {
+        for (const proved_decimal& each : *known) {
+            row.push_back({each.text, each.uncertainty});
+        }
+        return result;
     }
+    const auto watch = [&](const ball& reached, long bits) {
+        if (how.reached) {
+            how.reached(midpoint_of(reached).convert_to<double>(), bits);
+        }
+    };
+    ode::proof_route route;
+    route.integrator = how.integrator;
+    auto found = ode::limit_at_equilibrium(system_, how.printed_digits(), watch, route);
+    for (const ode::trajectory_value& each : found.states.front()) {
+        row.push_back(each.decimal ? answer_value{each.decimal->text, each.decimal->uncertainty}
+                                   : answer_value{"", each.bound});
+    }
+    result.missing = std::move(found.missing);
     return result;
 }
 

@@ -1,0 +1,137 @@
+#include "libration/ode/proved/equilibrium/limit_at_equilibrium.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "../needed_bits.hpp"
+#include "libration/ode/dependency.hpp"
+#include "stable_zero.hpp"
+
+namespace libration::ode {
+
+namespace {
+
+// Powers of 2 that are tried as times, and the number of steps after which no further one is.
+constexpr int last_power_of_time = 64;
+constexpr long most_steps_to_limit = 20'000;
+constexpr long first_bits_of_states = 128;
+constexpr long most_bits_of_states = 1024;
+// The bits of the zero are doubled so many times for a value that is not distinguished from 0.
+constexpr int most_runs_at_zero = 3;
+
+error no_limit(const std::string& what) { return error(error_kind::undecided, "time", "inf", what); }
+
+class limit_search {
+public:
+    limit_search(const explicit_system& of, long digits, const march_watch& watch, const proof_route& route)
+        : system_(of), digits_(digits), watch_(watch), route_(route), field_(of) {
+        if (field_.depends_on_time()) {
+            throw no_limit("is reached by steps only if the right-hand sides do not contain the variable");
+        }
+    }
+
+    std::vector<trajectory_value> values() {
+        for (long bits = first_bits_of_states; bits <= most_bits_of_states; bits *= 2) {
+            if (auto found = along_the_solution(bits)) {
+                return *found;
+            }
+        }
+        throw no_limit(not_approached(std::to_string(most_bits_of_states) + " bits are too few beyond it"));
+    }
+
+private:
+    // std::nullopt if more bits are needed.
+    std::optional<std::vector<trajectory_value>> along_the_solution(long bits) {
+        proved_march march(system_, bits, watch_, proved_march::usual_error_bits, route_);
+        rational distance = 1;
+        for (int k = 0; k <= last_power_of_time; ++k, distance *= 2) {
+            if (march.steps() > most_steps_to_limit) {
+                throw no_limit(
+                    not_approached("more than " + std::to_string(most_steps_to_limit) + " steps were needed"));
+            }
+            const auto state = march.at(system_.point() + number(distance));
+            if (!state) {
+                return ended(march);
+            }
+            reached_ = proved_reach_text(march.reached(), true);
+            if (const auto found = limit_from(*state)) {
+                return found;
+            }
+        }
+        throw no_limit(not_approached("later times were not tried"));
+    }
+
+    std::optional<std::vector<trajectory_value>> ended(const proved_march& march) const {
+        if (march.end() == march_end::precision) {
+            return std::nullopt;
+        }
+        throw no_limit("is not reached: the solution is proved to exist up to " +
+                       proved_reach_text(march.reached(), true) + ", and no further step is proved");
+    }
+
+    std::optional<std::vector<trajectory_value>> limit_from(const std::vector<ball>& state) const {
+        std::optional<std::vector<trajectory_value>> best;
+        long bits = bits_of_digits(digits_) + first_guard_bits;
+        for (int k = 0; k < most_runs_at_zero; ++k, bits *= 2) {
+            const precision_scope scope(decimal_digits(bits));
+            const auto kept = field_.kept_of(state);
+            const auto zero = enclosed_zero(field_, kept);
+            if (!zero || !is_approached(field_, *zero, kept)) {
+                return best;
+            }
+            best = printed(field_.state_of(*zero));
+            if (std::ranges::all_of(*best, [](const trajectory_value& each) { return !!each.decimal; })) {
+                return best;
+            }
+        }
+        return best;
+    }
+
+    std::vector<trajectory_value> printed(const std::vector<ball>& values) const {
+        std::vector<trajectory_value> result;
+        for (const ball& each : values) {
+            auto decimal = to_proved_decimal(each, digits_);
+            result.push_back({decimal, decimal ? "" : bound_text(each)});
+        }
+        return result;
+    }
+
+    std::string not_approached(const std::string& reason) const {
+        return "is not reached: no stable equilibrium is proved to be approached from the state at " + reached_ +
+               ", and " + reason;
+    }
+
+    const explicit_system& system_;
+    long digits_;
+    const march_watch& watch_;
+    const proof_route& route_;
+    reduced_field field_;
+    std::string reached_ = "the initial point";
+};
+
+}  // namespace
+
+partial_trajectory limit_at_equilibrium(const explicit_system& system, long digits, const march_watch& watch,
+                                        const proof_route& route) {
+    if (system.singular()) {
+        throw no_limit("is reached by steps only if the initial point is not singular");
+    }
+    partial_trajectory whole{.states = {{}}, .missing = {}};
+    auto& state = whole.states.front();
+    for (const closed_subsystem& each : independent_subsystems(system)) {
+        const auto part = limit_search(each.system, digits, watch, route).values();
+        state.resize(each.leaves_of_whole);
+        for (std::size_t k = 0; k < part.size(); ++k) {
+            state[each.leaves[k]] = part[k];
+        }
+    }
+    const auto zero = std::ranges::find_if(state, [](const trajectory_value& each) { return !each.decimal; });
+    if (zero != state.end()) {
+        const std::string name = names_of_state(system)[static_cast<std::size_t>(zero - state.begin())];
+        whole.missing =
+            no_limit("has a value of " + name + " that is not distinguished from 0: |" + name + "| < " + zero->bound);
+    }
+    return whole;
+}
+
+}  // namespace libration::ode

@@ -1,0 +1,20 @@
+// Zeros of a field, and neighborhoods of them in which all solutions approach the zero.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "reduced_field.hpp"
+
+namespace libration::ode {
+
+/// An enclosure of a zero of f near a point, by the Krawczyk operator: with A near the inverse of f_y(x) and a box X
+/// around x, x - A f(x) + (1 - A f_y(X)) (X - x) in the interior of X proves one zero in X, in this set. Zeros in an
+/// invariant subspace have its exact zeros. In the working precision; std::nullopt if none is proved.
+std::optional<std::vector<ball>> enclosed_zero(const reduced_field& f, const std::vector<ball>& near);
+
+/// Whether every solution through one of these states approaches the zero, by theorem Q with blocks of the real
+/// eigenvectors of f_y and of the real and imaginary parts of complex ones.
+bool is_approached(const reduced_field& f, const std::vector<ball>& zero, const std::vector<ball>& states);
+
+}  // namespace libration::ode

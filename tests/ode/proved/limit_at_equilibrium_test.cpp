@@ -1,0 +1,94 @@
+// Limits at stable equilibria, compared with closed forms; solutions that have none.
+#include "libration/ode/proved/equilibrium/limit_at_equilibrium.hpp"
+
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+#include "libration/ode/parse.hpp"
+#include "libration/problem/catalogue.hpp"
+#include "libration/scalar/scalar.hpp"
+
+namespace limit_at_equilibrium_test {
+
+using namespace libration;
+
+ode::partial_trajectory limit_of(const std::string& text, long digits) {
+    return ode::limit_at_equilibrium(ode::explicit_system(ode::parse(text)), digits);
+}
+
+std::vector<std::string> decimals_of(const std::string& text, long digits) {
+    const auto found = limit_of(text, digits);
+    REQUIRE(!found.missing);
+    std::vector<std::string> all;
+    for (const auto& each : found.states.front()) {
+        all.push_back(each.decimal.value().text);
+    }
+    return all;
+}
+
+std::string reason_of(const std::string& text) {
+    try {
+        limit_of(text, 10);
+    } catch (const error& problem) {
+        CHECK(problem.kind() == error_kind::undecided);
+        return problem.what();
+    }
+    return {};
+}
+
+using Catch::Contains;
+
+TEST_CASE("limits at equilibria are those of closed forms", "[ode][proved][limit]") {
+    // 1/7 of the equation 7 y = 1.
+    CHECK(decimals_of("y' = 1 - 7*y; y(0) = 3", 20) == std::vector<std::string>{"0.14285714285714285714"});
+    // The fixed point of the cosine [OEIS A003957].
+    CHECK(decimals_of("y' = cos(y) - y; y(0) = 3", 30) == std::vector<std::string>{"0.739085133215160641655312087674"});
+    // A focus; the velocity is exactly 0 there.
+    CHECK(decimals_of("x'' = 1 - x - x'/5; x(0) = 3; x'(0) = -1", 10) == std::vector<std::string>{"1.000000000", "0"});
+    // Modes that are nearly parallel, far from normal: (0, 0) is approached through values near 50.
+    CHECK(decimals_of("x' = 100*y - x; y' = -2*y; x(0) = 1; y(0) = 1", 10) == std::vector<std::string>{"0", "0"});
+}
+
+// a/b = 3/2 in equilibrium, a + b = 1.
+TEST_CASE("conserved sums are eliminated", "[ode][proved][limit]") {
+    CHECK(decimals_of("a' = 3*b - 2*a; b' = 2*a - 3*b; a(0) = 1; b(0) = 0", 12) ==
+          std::vector<std::string>{"0.600000000000", "0.400000000000"});
+    // A + B <-> C with a rate from the law of Arrhenius: A + C and B + C are conserved, k A B = C, k = e: with A(0) = 1,
+    // B(0) = 2, C(0) = 0, C = x solves e (1 - x)(2 - x) = x.
+    const auto found =
+        decimals_of("A' = C - exp(1)*A*B; B' = C - exp(1)*A*B; C' = exp(1)*A*B - C; A(0) = 1; B(0) = 2; C(0) = 0", 25);
+    const precision_scope scope(40);
+    const mpfr e = exp(mpfr(1));
+    const mpfr p = 3 + 1 / e;
+    const mpfr x = (p - sqrt(mpfr(p * p - 8))) / 2;
+    CHECK(abs(mpfr(mpfr(found[2]) - x)) <= pow(mpfr(10), -25));
+    CHECK(abs(mpfr(mpfr(found[0]) - (1 - x))) <= pow(mpfr(10), -25));
+}
+
+TEST_CASE("an equilibrium of HIRES satisfies its equations", "[ode][proved][limit]") {
+    const ode::explicit_system system(catalogue_system("hires"));
+    const auto found = ode::limit_at_equilibrium(system, 40);
+    REQUIRE(!found.missing);
+    const precision_scope scope(60);
+    std::vector<mpfr> y;
+    for (const auto& each : found.states.front()) {
+        y.emplace_back(each.decimal.value().text);
+    }
+    const mpfr unit = pow(mpfr(10), -37);
+    CHECK(abs(mpfr(y[6] + y[7] - mpfr("0.0057"))) <= unit);
+    CHECK(abs(mpfr(mpfr("1.71") * y[0] - mpfr("8.75") * y[1])) <= unit);
+    CHECK(abs(mpfr(280 * y[5] * y[7] - mpfr("1.81") * y[6])) <= unit);
+    CHECK(abs(mpfr(mpfr("-10.03") * y[2] + mpfr("0.43") * y[3] + mpfr("0.035") * y[4])) <= unit);
+}
+
+TEST_CASE("solutions without a stable equilibrium have the reason", "[ode][proved][limit]") {
+    CHECK_THAT(reason_of("y' = t - y; y(0) = 1"), Contains("do not contain the variable"));
+    CHECK_THAT(reason_of("y' = 1 + y^2; y(0) = 0"), Contains("exist up to 1.570796326"));
+    // y = 1/(1 + t) decays like a power of t.
+    CHECK_THAT(reason_of("y' = -y^2; y(0) = 1"), Contains("no stable equilibrium"));
+    // The unstable equilibrium itself.
+    CHECK_THAT(reason_of("y' = y - y^2; y(0) = 0"), Contains("more than 20000 steps"));
+}
+
+}  // namespace limit_at_equilibrium_test
