@@ -4,7 +4,7 @@ from fractions import Fraction
 
 # Conditions: (name, text of the checker, the text with which the condition always holds).
 CONDITIONS = [
-    ("one condition with zeros", "need(len(self.condition) == min(len(self.zeros), 1),", "need(True,"),
+    ("one condition with zeros", "form(len(self.condition) == min(len(self.zeros), 1),", "form(True,"),
     ("all zeros are in steps", "need(zeros and not claims,", "need(not claims,"),
     ("order of the zeros", "need(ends == sorted(ends),", "need(True,"),
     ("a sign between zeros", "need(s and self.problem.sign in (0, s),", "need(True,"),
