@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""certified.py [--folder FOLDER] [NAME...]: checks the certificates of a folder, results/certified without --folder, or
-those that are named. It needs Python's standard library alone.
+"""certified.py [--c] [--folder FOLDER] [NAME...]: checks the certificates of a folder, results/certified without
+--folder, or those that are named. It needs Python's standard library alone; with --c a compiler of C, GMP and zlib, for
+check/libration_check.c in place of check/libration_check.py.
 
-For each certificate of MANIFEST: its file has the SHA-256; check/libration_check.py proves exactly the statement; the
+For each certificate of MANIFEST: its file has the SHA-256; the checker proves exactly the statement; the
 rows of values.csv are its claims, each value within one unit of its last digit; and where results/reference_problems has
 the value too, that lies in the proved interval. Prints a table; exit status 1 if a certificate fails, 2 for wrong usage.
 """
@@ -15,11 +16,12 @@ import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 from decimal import Decimal
 from fractions import Fraction
 
 HERE = pathlib.Path(__file__).resolve().parent
-CHECKER = HERE / "libration_check.py"
+CHECKER = [sys.executable, "-I", str(HERE / "libration_check.py")]
 REFERENCE = HERE.parent / "results" / "reference_problems"
 CLAIM = re.compile(r"^    (\S+)\((\S+)\) lies in \[(\S+), (\S+)\][,.]$", re.M)
 ENTRY = re.compile(r"^([0-9a-f]{64})  (\w+)\.cert$")
@@ -56,10 +58,20 @@ def read_manifest(path):
     return [Entry(*each) for each in entries]
 
 
-def prove(file):
+def checker_in_c(folder):
+    """The command of check/libration_check.c, compiled in a folder."""
+    program, compiler = str(pathlib.Path(folder) / "libration_check"), os.environ.get("CC", "cc")
+    try:
+        subprocess.run([compiler, "-O2", str(HERE / "libration_check.c"), "-lgmp", "-lz", "-o", program], check=True)
+    except (OSError, subprocess.CalledProcessError) as reason:
+        raise Failure("--c: %s; install a compiler of C, GMP and zlib (Debian: gcc libgmp-dev zlib1g-dev), or set CC"
+                      % reason) from None
+    return [program]
+
+
+def prove(checker, file):
     """The statement that the checker proves from a file, and its processor seconds."""
-    command = [sys.executable, "-I", str(CHECKER), str(file)]
-    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    process = subprocess.Popen([*checker, str(file)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     out = process.stdout.read()
     _, status, used = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
@@ -103,7 +115,7 @@ def check_values(rows, statement, name):
     return len(rows)
 
 
-def check(folder, entry, rows):
+def check(checker, folder, entry, rows):
     """The bytes, the processor seconds and the number of values of a certificate; raises Failure."""
     file = folder / (entry.name + ".cert")
     if not file.exists():
@@ -111,7 +123,7 @@ def check(folder, entry, rows):
     content = file.read_bytes()
     if hashlib.sha256(content).hexdigest() != entry.sha256:
         raise Failure("the SHA-256 is not that of MANIFEST")
-    statement, seconds = prove(file)
+    statement, seconds = prove(checker, file)
     if statement != entry.statement:
         raise Failure("the proved statement is not that of MANIFEST")
     return len(content), seconds, check_values(rows, statement, entry.name)
@@ -138,7 +150,7 @@ def select(folder, entries, rows, names):
     return [entry for entry in entries if not names or entry.name in names]
 
 
-def check_folder(folder, names):
+def check_folder(checker, folder, names):
     """Prints a table; the number of certificates that fail."""
     rows = rows_by_certificate(folder / "values.csv")
     entries = select(folder, read_manifest(folder / "MANIFEST"), rows, names)
@@ -146,7 +158,7 @@ def check_folder(folder, names):
     width = max(len(entry.name) for entry in entries)
     print("%-*s  values      kB  seconds  result" % (width, "certificate"))
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        tasks = [pool.submit(check, folder, entry, rows.get(entry.name, [])) for entry in entries]
+        tasks = [pool.submit(check, checker, folder, entry, rows.get(entry.name, [])) for entry in entries]
         for entry, task in zip(entries, tasks):
             try:
                 done = task.result()
@@ -163,13 +175,16 @@ def check_folder(folder, names):
 def main():
     parser = argparse.ArgumentParser(prog="./run check", description="checks the certificates of results/certified")
     parser.add_argument("--folder", type=pathlib.Path, default=HERE.parent / "results" / "certified")
+    parser.add_argument("--c", action="store_true", help="by check/libration_check.c, which is compiled")
     parser.add_argument("names", nargs="*", metavar="NAME", help="a certificate; all of them without a name")
     given = parser.parse_args()
     try:
-        return 1 if check_folder(given.folder, given.names) else 0
+        with tempfile.TemporaryDirectory() as place:
+            checker = checker_in_c(place) if given.c else CHECKER
+            return 1 if check_folder(checker, given.folder, given.names) else 0
     except (Failure, OSError, KeyError) as reason:
         print("check: %s" % reason, file=sys.stderr)
-        return 2 if given.names else 1
+        return 2 if given.names or given.c else 1
 
 
 if __name__ == "__main__":

@@ -1,28 +1,32 @@
 #!/usr/bin/env python3
 """libration_check.py FILE: checks a certificate of values of a differential equation and prints the proved statement.
-The format and the theorem are in docs/certificates.md. Integers and fractions only. Exit status: 0 if it is proved.
+The format and the theorem are in docs/certificates.md. Integers and fractions only.
+Exit status: 0 if it is proved, 1 if a condition does not hold, 2 if the file is not a certificate of this format.
 
 A polynomial in x on [-1, 1] is a list a of integers, with an exponent k that is kept apart:
     2^-k (a[0] + sum over j > 0 of 2 a[j] T_j(x)) = 2^-k (sum over |j| < len(a) of a[|j|] z^j),   x = (z + 1/z)/2,
-so that the sum of all |a[|j|]| is a bound, and products are products of polynomials in z.
-"""
+so that the sum of all |a[|j|]| is a bound, and products are products of polynomials in z."""
 import ast, math, re, sys, zlib
 from fractions import Fraction
 from functools import cache, reduce
 
 PARTS, ONE = 8, Fraction(1)        # of a step, on each of which the rate of a mode is bounded
+NAME = r"[^\W\d]\w*'*"
 class Refused(Exception):
-    pass
-def need(condition, reason):
+    status = 1
+class Malformed(Refused):
+    status = 2
+def need(condition, reason, error=Refused):
     if not condition:
-        raise Refused(reason)
+        raise error(reason)
+def form(condition, reason):
+    need(condition, reason, Malformed)
 def two(k):
     return Fraction(2)**k
 def root_up(x):                                                                         # an integer >= sqrt(x)
     return math.isqrt(x - 1) + 1 if x > 0 else 0
 def norm(a):                                                                            # at least |a(x)|
     return 2 * sum(map(abs, a)) - abs(a[0]) if a else 0
-
 def value(a, x):
     """a(x) by Clenshaw's recurrence b_j = a_j + 2 x b_(j+1) - b_(j+2), times powers of the denominator of x."""
     u, v = x.numerator, x.denominator
@@ -30,14 +34,12 @@ def value(a, x):
     for c in reversed(a):
         b, power = [c * power + 2 * u * b[0] - v * v * b[1], b[0], b[1]], power * v
     return Fraction(b[0] - v * v * b[2], max(power // v, 1))
-
 def derivative(a):
     return [sum(2 * k * a[k] for k in range(j + 1, len(a), 2)) for j in range(len(a) - 1)]
 def scaled(a, c):
     return [c * x for x in a]
 def add(a, b):
     return [x + y for x, y in zip(a + [0] * (len(b) - len(a)), b + [0] * (len(a) - len(b)))]
-
 def dot(u, v):
     """The sum of u[i] v[i], by products of values at z = 2^w, w so large that the coefficients can be read off."""
     pairs = [(a, b) for a, b in zip(u, v) if any(a) and any(b)]
@@ -68,32 +70,33 @@ def formula(text):
             return names[int(node.id[1:])]
         if isinstance(node, ast.List) and len(node.elts) == 2:
             return "between", tree(node.elts[0]), tree(node.elts[1])
-        need(isinstance(node, ast.Constant) and type(node.value) is int, "'%s' is not understood" % text)
+        form(isinstance(node, ast.Constant) and type(node.value) is int, "'%s' is not understood" % text)
         return Fraction(node.value)
-    code = re.sub(r"(?<!\w)[^\W\d]\w*'*", lambda m: names.append(m.group()) or "n%d" % (len(names) - 1), text)
-    return tree(ast.parse(code.replace("^", "**"), mode="eval").body)
+    code = re.sub(r"(?<!\w)" + NAME, lambda m: names.append(m.group()) or "n%d" % (len(names) - 1), text, 0, re.ASCII)
+    form(re.fullmatch(r"(n?\d+|(?!\*\*)[-+*/^()\[\], ])*", code, re.ASCII), "'%s' is not understood" % text)
+    return tree(ast.parse(code.strip().replace("^", "**"), mode="eval").body)
 # A polynomial in the variable (number 0) and the unknowns (1, 2, ...): {sorted tuple of numbers: coefficient}.
 def plus(a, b):
     result = {m: a.get(m, 0) + b.get(m, 0) for m in {**a, **b}}
     return {m: x for m, x in result.items() if x}
 def times(a, b):
+    form(len(a) * len(b) <= 10**6 and all(len(m) <= 400 for m in [*a, *b]), "a polynomial is too large")
     return reduce(plus, [{tuple(sorted(m + k)): x * y for k, y in b.items()} for m, x in a.items()], {})
 def power(a, n):
-    need(0 <= n <= 100, "an exponent is out of range")
+    form(0 <= n <= 100, "an exponent is out of range")
     return times(a, power(a, n - 1)) if n else {(): ONE}
 def partial(a, k):
     return {m[:m.index(k)] + m[m.index(k) + 1:]: x * m.count(k) for m, x in a.items() if k in m}
-
 def as_polynomial(tree, names, added):
     """`names`: polynomials of the names; `added`: those of the added unknowns, by (kind, argument, exponent)."""
     def find(kind, u, exponent=-ONE):
         key = kind, frozenset(u.items()), exponent
-        need(key in added, "no added unknown is defined as the '%s' that an equation needs" % kind)
+        form(key in added, "no added unknown is defined as the '%s' that an equation needs" % kind)
         return added[key]
     if isinstance(tree, Fraction):
         return {(): tree} if tree else {}
     if isinstance(tree, str):
-        need(tree in names, "unknown name '%s'" % tree)
+        form(tree in names, "unknown name '%s'" % tree)
         return names[tree]
     kind, u = tree[0], as_polynomial(tree[1], names, added)
     if kind in ("+", "*", "/"):
@@ -111,7 +114,6 @@ def as_polynomial(tree, names, added):
         return find("^", u, r)
     k = max(0, math.ceil(r))
     return times(power(u, k), power(find("^", u, Fraction(-1, r.denominator)), k * r.denominator - r.numerator))
-
 class Enclosures:   # values of formulas as pairs (lower, upper) of fractions, to about `bits` bits behind the point
     def __init__(self, bits):
         self.bits = bits
@@ -119,7 +121,7 @@ class Enclosures:   # values of formulas as pairs (lower, upper) of fractions, t
         if isinstance(tree, Fraction):
             return tree, tree
         if isinstance(tree, str):
-            need(tree in names or tree == "pi", "unknown name '%s'" % tree)
+            form(tree in names or tree == "pi", "unknown name '%s'" % tree)
             return names[tree] if tree in names else self.pi()
         kind, (a, b) = tree[0], self.of(tree[1], names)
         if kind in ("+", "*", "/", "between"):
@@ -133,6 +135,7 @@ class Enclosures:   # values of formulas as pairs (lower, upper) of fractions, t
             return (low, self.entire(b, kind)[1]) if kind == "exp" else (low - (b - a), high + (b - a))
         r = tree[2] if kind == "^" else ONE
         if kind == "^" and r.denominator == 1 and r >= 0:
+            form(r <= 10000, "an exponent is out of range")
             low, high = sorted((a**r.numerator, b**r.numerator))
             return low if r % 2 or a * b > 0 else Fraction(0), high
         need(a > 0 and kind in ("^", "log"), "a start takes the '%s' of a number that is not positive" % kind)
@@ -140,7 +143,7 @@ class Enclosures:   # values of formulas as pairs (lower, upper) of fractions, t
         return (low, high) if kind == "log" else (self.entire(low, "exp")[0], self.entire(high, "exp")[1])
     def entire(self, x, kind):
         """By terms x^j/j!: each has an error below 2 e^|x| units, the argument one of e^|x|, the rest is below 8."""
-        need(abs(x) < 1000, "a start has an argument that is too large")
+        form(abs(x) < 1000, "a start has an argument that is too large")
         bits = self.bits + 2 * math.ceil(abs(x)) + 40
         factor, t = math.floor(x * two(bits)), [1 << bits]
         while abs(t[-1]) > 1 or len(t) < 2 * abs(x) + 2:
@@ -170,10 +173,10 @@ class Reader:
     def __init__(self, text):
         self.lines, self.at = text.split("\n"), 0
     def line(self, word=None):                     # the fields of the next line, behind a word that it begins with
-        need(self.at < len(self.lines), "the file ends early")
+        form(self.at < len(self.lines), "the file ends early")
         t = self.lines[self.at].split(" ") if self.lines[self.at] else []
         self.at += 1
-        need(word is None or t[:1] == [word], "line %d: '%s' expected" % (self.at, word))
+        form(word is None or t[:1] == [word], "line %d: '%s' expected" % (self.at, word))
         return t if word is None else t[1:]
     def all(self, word):                           # the lines that begin with a word
         found = []
@@ -182,35 +185,34 @@ class Reader:
         return found
     def integers(self, word, count):
         t = self.line(word)
-        short = all(re.fullmatch("-?[0-9]{1,5}", x, re.ASCII) for x in t)
-        need(short and len(t) == count, "line %d: %d integers of at most 5 digits expected" % (self.at, count))
+        form(len(t) == count and all(re.fullmatch("-?[0-9]{1,5}", x, re.ASCII) for x in t),
+             "line %d: %d integers of at most 5 digits expected" % (self.at, count))
         return [int(x) for x in t]
     def section(self, word, exponents, lists):     # a line with exponents, and lists of integers
         k, found = self.integers(word, exponents), [self.line() for _ in range(lists)]
-        need(all(re.fullmatch("-?[0-9a-f]+", x, re.ASCII) for t in found for x in t), "'%s': bad coefficients" % word)
+        form(all(re.fullmatch("-?[0-9a-f]+", x, re.ASCII) for t in found for x in t), "'%s': bad coefficients" % word)
         return k, [[int(x, 16) for x in t] for t in found]
-
 def fraction(text):
-    need(re.fullmatch(r"-?\d+(/0*[1-9]\d*|(\.\d+)?(e[-+]?\d{1,5})?)", text, re.ASCII), "'%s' is not a number" % text)
+    form(re.fullmatch(r"-?\d+(/0*[1-9]\d*|(\.\d+)?(e[-+]?\d{1,5})?)", text, re.ASCII), "'%s' is not a number" % text)
     return Fraction(text)
-
 class Problem:      # the head of a certificate: equations, their polynomial form, enclosures of the start, claims
     def __init__(self, r):
-        need(r.line("libration-certificate") == ["1"], "not a certificate of version 1")
+        form(r.line("libration-certificate") == ["1"], "not a certificate of version 1")
         self.variable, self.t0 = " ".join(r.line("variable")), fraction(" ".join(r.line("at")))
         self.equations = [x.split(" = ") for x in r.all("equation")]
-        need(all(len(x) == 2 and re.fullmatch(r"[^\W\d]\w*'+", x[0]) for x in self.equations), "an unclear equation")
+        form(all(len(x) == 2 and x[0][-1:] == "'" for x in self.equations), "an unclear equation")
         self.state = [x[:len(x) - k] for x, _ in self.equations for k in range(x.count("'"), 0, -1)]
         self.starts, defined = r.all("start"), [x.split(" = ") for x in r.all("define")]
         names = [self.variable] + self.state + [x[0] for x in defined]
-        need(len(self.starts) == len(self.state) and len(set(names)) == len(names), "names and starts do not match")
+        form(all(re.fullmatch(NAME, x, re.ASCII) for x in names), "an unclear name")
+        form(len(self.starts) == len(self.state) and len(set(names)) == len(names), "names and starts do not match")
         self.condition, (self.bits, start_bits) = r.all("condition"), r.integers("bits", 2)
-        need(16 <= self.bits <= start_bits, "the numbers of bits are out of range")
+        form(16 <= self.bits <= start_bits, "the numbers of bits are out of range")
         self.zeros = {"#%d" % (k + 1): x.split(" ") for k, x in enumerate(r.all("zero"))}
-        need(len(self.condition) == min(len(self.zeros), 1), "there are zeros without a condition, or two conditions")
+        form(len(self.condition) == min(len(self.zeros), 1), "there are zeros without a condition, or two conditions")
         self.ends = [self.t0] + [fraction(t) for first, last in self.zeros.values() for t in (first, last)]
         self.claims = [x.split(" ") for x in r.all("claim")]
-        need(self.claims and all(len(x) == 4 and x[1] in self.state for x in self.claims), "an unclear claim")
+        form(self.claims and all(len(x) == 4 and x[1] in self.state for x in self.claims), "an unclear claim")
         (self.steps,) = r.integers("steps", 1)
         self.make_polynomial_form(names, [(name, formula(text)) for name, text in defined], Enclosures(start_bits))
     def make_polynomial_form(self, names, defined, values):
@@ -219,7 +221,7 @@ class Problem:      # the head of a certificate: equations, their polynomial for
         start, added, arguments = {self.variable: (self.t0, self.t0)}, {}, []
         start.update({name: values.of(formula(text), {}) for name, text in zip(self.state, self.starts)})
         for name, tree in defined:
-            need(type(tree) is tuple and (tree[0] in DERIVATIVES or tree[0] == "^" or tree[:2] == ("/", ONE)),
+            form(type(tree) is tuple and (tree[0] in DERIVATIVES or tree[0] == "^" or tree[:2] == ("/", ONE)),
                  "%s is not defined as a function" % name)
             u = as_polynomial(tree[2 if tree[0] == "/" else 1], {x: own[x] for x in start}, added)
             arguments.append((tree[0], tree[2] if tree[0] == "^" else -ONE, u, own[name]))
@@ -250,7 +252,6 @@ class Problem:      # the head of a certificate: equations, their polynomial for
             text += "%s = 0 from %s, excluded, to %s only at %s, and\n" % (g, self.t0, last, all_of_them)
         zeros = ["    %s lies in [%s, %s]" % (k, *sorted(x, key=fraction)) for k, x in self.zeros.items()]
         return text + ",\n".join(zeros + ["    {1}({0}) lies in [{2}, {3}]".format(*x) for x in self.claims]) + "."
-
 def matrix(n, entry):
     return [[entry(i, j) for j in range(n)] for i in range(n)]
 def size_of(a, rows, columns):                                                          # at least the Euclidean norm
@@ -261,9 +262,9 @@ class Step:         # polynomials of the scaled unknowns and their frame, brough
         self.n, self.problem, self.begin = n, problem, begin = len(problem.right), problem, begin
         (k,), ((h,),) = r.section("step", 1, 1)
         self.length = h * two(-k)
-        need(h != 0, "the length is 0")
+        form(h != 0, "the length is 0")
         self.scales, sizes = r.integers("scale", n), r.line("blocks")
-        need(set(sizes) <= {"1", "2"} and sum(map(int, sizes)) == n, "the blocks are not of 1 and 2 columns")
+        form(set(sizes) <= {"1", "2"} and sum(map(int, sizes)) == n, "the blocks are not of 1 and 2 columns")
         at = [sum(map(int, sizes[:b])) for b in range(len(sizes) + 1)]
         self.blocks = [range(*x) for x in zip(at, at[1:])]
         (self.kp,), self.p = r.section("p", 1, n)
@@ -272,7 +273,7 @@ class Step:         # polynomials of the scaled unknowns and their frame, brough
         self.V = matrix(n, lambda i, j: scaled(v[i * n + j], 1 << self.kv - kv[j]))
         self.U = matrix(n, lambda i, j: scaled(u[i * n + j], 1 << self.ku - ku[i]))
         k, (first, last) = r.section("radii", len(sizes), 2)
-        need(len(first) == len(last) == len(sizes) and min(first + last) >= 0, "the radii are not numbers >= 0")
+        form(len(first) == len(last) == len(sizes) and min(first + last) >= 0, "the radii are not numbers >= 0")
         self.R0, self.R1 = [[self.up(m * two(-e)) for m, e in zip(x, k)] for x in (first, last)]
     def up(self, x):
         return math.ceil(x * (1 << self.problem.bits))
@@ -421,7 +422,6 @@ def check(text):
     need(fraction(ends[0]) < fraction(ends[1]), "values that are not apart")
     texts.append("For each number between %s and %s some %s(%s) in " % (*ends, low.state[k], low.t0) + between)
     return "\n".join(texts) + " has %s(%s) equal to it." % (name, time)
-
 def check_one(text):                               # a certificate that is proved
     r = Reader(text)
     problem = Problem(r)
@@ -435,16 +435,16 @@ def check_one(text):                               # a certificate that is prove
             claims = [x for x in claims if not step.check_claim(x)]
             zeros = zeros or step.check_zeros()
         except Refused as reason:
-            raise Refused("step %d: %s" % (number, reason)) from None
+            raise type(reason)("step %d: %s" % (number, reason)) from None
         time, state = time + step.length, step.at(ONE)
-    need(r.lines[r.at:] == ["end", ""], "the steps do not end with 'end'")
+    form(r.lines[r.at:] == ["end", ""], "the steps do not end with 'end'")
     need(zeros and not claims, "no step contains the time of a claim or a zero")
     return problem
 
 if __name__ == "__main__":
     try:
-        need(len(sys.argv) == 2, "usage: python3 -I libration_check.py FILE")
-        print("Proved:\n" + check(zlib.decompress(open(sys.argv[1], "rb").read()).decode()))
+        form(len(sys.argv) == 2, "usage: python3 -I libration_check.py FILE")
+        print("Proved:\n" + check(zlib.decompress(open(sys.argv[1], "rb").read()).decode("ascii")))
     except Exception as reason:                        # Refused, or not a text of the format
         print("Not proved: %s" % (reason if isinstance(reason, (Refused, OSError)) else "no certificate, %r" % reason))
-        sys.exit(1)
+        sys.exit(getattr(reason, "status", 2))

@@ -139,6 +139,15 @@ if(LIBRATION_BUILD_MPI)
     target_link_options(libration-mpi PRIVATE ${library_first})
 endif()
 
+# The checker of certificates in C, which shares no code with the library. Like the one in Python it is not installed: a
+# checker is taken from the source.
+enable_language(C)
+add_executable(libration-check ${PROJECT_SOURCE_DIR}/check/libration_check.c)
+set_target_properties(libration-check PROPERTIES C_STANDARD 11 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF UNITY_BUILD OFF)
+target_compile_options(libration-check PRIVATE -Wno-sign-conversion)
+target_link_libraries(libration-check PRIVATE PkgConfig::gmp ZLIB::ZLIB libration-warnings)
+add_dependencies(libration-command libration-check)
+
 install(TARGETS libration-command RUNTIME COMPONENT command)
 install(DIRECTORY studies/
     DESTINATION ${installed_studies_dir}

@@ -163,6 +163,18 @@ if(words_python)
         COMMAND ${words_python} -I ${PROJECT_SOURCE_DIR}/tests/certificates/changed.py
             ${PROJECT_BINARY_DIR}/changed_certificates)
     set_tests_properties(changed_certificates PROPERTIES TIMEOUT 60)
+    # Both checkers have the same verdicts; many more in tests/long.sh.
+    if(TARGET libration-check)
+        set(certified ${PROJECT_SOURCE_DIR}/results/certified)
+        add_test(NAME two_checkers_of_certificates
+            COMMAND ${words_python} ${PROJECT_SOURCE_DIR}/tests/certificates/second.py --mutations 25
+                $<TARGET_FILE:libration-check> ${certified}/logistic.cert ${certified}/detest_e4.cert
+                ${certified}/detest_a4.cert ${certified}/sakiadis.cert)
+        set_tests_properties(two_checkers_of_certificates PROPERTIES TIMEOUT 60)
+        add_test(NAME certificates_by_the_checker_in_c
+            COMMAND ${words_python} -I ${PROJECT_SOURCE_DIR}/check/certified.py --c logistic harmonic)
+        set_tests_properties(certificates_by_the_checker_in_c PROPERTIES TIMEOUT 60)
+    endif()
 endif()
 
 # The readers of tables in docs/ whose tools are in Debian.

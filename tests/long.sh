@@ -17,6 +17,16 @@ part() { # NAME COMMAND...
 
 by_integers() { "$build/libration-attack" print 10000 | "$python" "$tests/attack/by_integers.py"; }
 
+both_checkers() { # FOLDER
+    local second=("$python" "$tests/certificates/second.py") certificates=("$1"/{pendulum,stiff,zeros,root}.cert)
+    "$build/libration" find --problem "x'' = -sin(x); x(0) = 1; x'(0) = 0" --unknown "x'(0)" --such-that "x(2) = 0" \
+        --digits 8 --certificate "$1/root.cert" >"$1/root.txt" &&
+        gcc -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all "$tests/../check/libration_check.c" -lgmp -lz \
+            -o "$1/sanitized" &&
+        "${second[@]}" --mutations 200 --seed 2 "$1/sanitized" "${certificates[@]}" &&
+        "${second[@]}" --mutations 2500 --attacks --conditions gcc "$build/libration-check" "${certificates[@]}"
+}
+
 certificates() {
     local folder status
     folder=$(mktemp -d) || return
@@ -28,6 +38,7 @@ certificates() {
         "$python" "$tests/certificates/attack.py" --mutations 5000 "$folder/pendulum.cert" "$folder/stiff.cert" \
             "$folder/zeros.cert"
     status=$?
+    ((status != 0)) || both_checkers "$folder" || status=1
     rm -r "$folder"
     return "$status"
 }

@@ -16,7 +16,7 @@ def check(certificate: str | PathLike[str]) -> str:
     from . import libration_check
 
     try:
-        return str(libration_check.check(zlib.decompress(Path(certificate).read_bytes()).decode()))
+        return str(libration_check.check(zlib.decompress(Path(certificate).read_bytes()).decode("ascii")))
     except libration_check.Refused as reason:
         raise UndecidedError(f"{certificate} is not proved: {reason}", "certificate", str(certificate), str(reason)) from None
     except (ValueError, TypeError, LookupError, ArithmeticError, SyntaxError, RecursionError, zlib.error) as reason:

@@ -4,7 +4,7 @@ from fractions import Fraction
 
 # Conditions: (name, text of the checker, the text with which the condition always holds).
 CONDITIONS = [
-    ("one condition with zeros", "need(len(self.condition) == min(len(self.zeros), 1),", "need(True,"),
+    ("one condition with zeros", "form(len(self.condition) == min(len(self.zeros), 1),", "form(True,"),
     ("all zeros are in steps", "need(zeros and not claims,", "need(not claims,"),
     ("order of the zeros", "need(ends == sorted(ends),", "need(True,"),
     ("a sign between zeros", "need(s and self.problem.sign in (0, s),", "need(True,"),
@@ -15,7 +15,7 @@ CONDITIONS = [
     ("change of the condition", "Dg[i - n] += self.up(abs(c) * change(m))", "pass"),
     ("a sign over the whole part", "and (way or self.sure(0, u, v))", ""),
     ("a sign at the right end", "if left == self.sure(0, v, v) and (", "if ("),
-    ("the condition is 0 at the start", "exact and sum(", "0 == 0 * sum("),
+    ("the condition is 0 at the start", "exact and sum(", "exact and 0 == 0 * sum("),
     ("an exact start", "exact = all(start[names[l]][0] == start[names[l]][1] for m in g for l in m)", "exact = True"),
     ("values move at a zero", "reach += slopes[0] * unit * two(-self.kp)", "pass"),
     ("the frame moves at a zero", "abs(a) + b * unit * two(-self.kv)", "abs(a)"),
@@ -79,6 +79,7 @@ def made_certificates(accepted, whole, exponential):
     yield "a zero behind the end", of(["y - 5"], [("1.6", "1.7")], [("1/4", "y", 0, 9)])
     yield "too narrow an interval", of(["y - 5/4"], [log_between(Fraction(5, 4), 40)])
     yield "a zero that is taken for the start", of(["(y - 11/10)*(13/10 - y)"], [at["13/10"]])
+    yield "a zero directly after an exact start", of(["(y - 1 - 1/10^20)*(y - 5/4)"], [at["5/4"]])
     low = Fraction(whole.Enclosures(400).pi()[0])
     middle = str(low.limit_denominator(10**70))
     yield "a zero directly after the start", linear(middle, "(y - %s)*(y - 3)" % low, ("0.1415", "0.1416"))
