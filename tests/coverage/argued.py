@@ -92,8 +92,6 @@ ARGUED = {
     (EVENTS, "const int sign = inside ? sign_at(place) : 0;"): "as above",
     (EVENTS, "return cut(last) || before;"):
         "g is known at three quarters where it is at one quarter, unless its enclosures are much wider there",
-    (EVENTS, "const auto is_beyond = [&](const ball& time) { return last && known_sign((time - *last) * direction_) > 0; };"):
-        "the pieces of an event found behind the end begin at the end or before it, and so does its enclosure",
     (MARCH, "if (choose_length() && !expand_set()) {"): "a set that has an expansion has one with more bits",
     (SHOOTING, "if (difference == 0) {"): "steers the guess, proves nothing: two values that differ have missed differently",
     (SHOOTING, "if (mpfr_number_p(handle(value)) == 0) {"):

@@ -412,6 +412,12 @@ FAULTS = [
          "const ball root = at;"),
     ),
     *in_file(
+        "src/libration/problem/known/kepler.cpp", ["problem/known/kepler_test.cpp"],
+        ("a state without all of its digits bounded as one of 0", "run.last && contains_zero(values[i])", "run.last"),
+        ("invariants of states with the velocities exchanged", "{midpoint_of(values[0]), midpoint_of(values[1])}",
+         "{midpoint_of(values[0]), midpoint_of(values[3])}"),
+    ),
+    *in_file(
         "src/libration/problem/known/painleve_1.cpp", ["problem/known/painleve_1_test.cpp"],
         ("what the expansion at infinity leaves out", "magnitude(away))", "magnitude())"),
         ("the slope of what it leaves out", "magnitude(away_of_slope))", "magnitude())"),
@@ -579,6 +585,9 @@ FAULTS = [
          "if (true || p.is_narrow(march_.bits()) ||"),
         ("the way of a crossing in the direction of the search", "event.way = sign_ * direction_ > 0",
          "event.way = sign_ > 0"),
+        ("an event beyond an earlier end forgotten", "            beyond_ = std::move(event);\n", ""),
+        ("the time up to an earlier end taken for the time up to any end",
+         "each.beyond && last && known_sign((*last - march_.reached()) * direction_ - each.from) <= 0", "each.beyond"),
     ),
     *in_file(
         "src/libration/ode/proved/proved_events.cpp", [EVENTS],

@@ -59,6 +59,25 @@ TEST_CASE("stiff equations with elementary functions are proved by their polynom
     }
 }
 
+// y_k = cos t + exp(-1e5 k t): seven unknowns with those of cos t, whose tubes are bounded by their values at nodes.
+TEST_CASE("many stiff equations are proved by values at nodes", "[ode][proved]") {
+    const precision_scope scope(80);
+    std::string equations;
+    std::string starts;
+    for (const char* k : {"1", "2", "3", "4", "5"}) {
+        equations += "y" + std::string(k) + "' = -1e5*" + k + "*(y" + k + " - cos(t)) - sin(t); ";
+        starts += "; y" + std::string(k) + "(0) = 2";
+    }
+    proved_march march(system_of(equations.substr(0, equations.size() - 2) + starts), bits);
+    const auto state = march.at(number(rational(1)));
+    REQUIRE(state);
+    REQUIRE(state->size() == 5);
+    for (const ball& each : *state) {
+        CHECK(encloses(each, cos(ball(1))));
+    }
+    CHECK(march.collocation().steps > 0);
+}
+
 // The solutions of y' = -k (y - cos t) - sin t from c + d differ from cos t by (c + d - 1) exp(-k t).
 TEST_CASE("a start that is a ball contains the solutions from its points with added unknowns", "[ode][proved]") {
     const precision_scope scope(80);

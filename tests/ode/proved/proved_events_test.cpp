@@ -6,6 +6,7 @@
 
 #include "libration/ode/parse.hpp"
 #include "libration/scalar/ball/functions.hpp"
+#include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"
 #include "proved.hpp"
 
@@ -192,6 +193,34 @@ TEST_CASE("a search without an end gives up", "[ode][proved][events]") {
     const auto report = searched_events(explicit_system(system), request, 20);
     REQUIRE(report.missing);
     CHECK_THAT(report.missing->what(), Catch::Contains("is not found within 20 steps, from time 0 up to "));
+}
+
+// sin t = 1/2 at (1, 5, 13, 17 ..) pi/6; the first two of these are in the same step.
+TEST_CASE("a search continues up to another end, later or earlier", "[ode][proved][events]") {
+    const explicit_system system(parse("y'' = -y; y(0) = 0; y'(0) = 1"));
+    const precision_scope scope(60);
+    event_search search(system, ode::unknown("y") - ode::expression(rational(1, 2)), 120);
+    const auto is_next = [&](int sixths, const std::optional<number>& end) {
+        const auto event = search.next(crossing::any, end);
+        return event && overlaps(event->time, pi<ball>() * sixths / 6) &&
+               certainly_less(radius_of(event->time), pow(ball(10), -20));
+    };
+    const auto has_none = [&](const rational& end) {
+        return !search.next(crossing::any, number(end)) && search.end() == search_end::time;
+    };
+    for (const int percent : {25, 12, 25, 50}) {
+        CAPTURE(percent);
+        CHECK(has_none(rational(percent, 100)));
+    }
+    CHECK(is_next(1, std::nullopt));
+    for (const int end : {1, 2, 1}) {
+        CAPTURE(end);
+        CHECK(has_none(end));
+    }
+    CHECK(is_next(5, number(rational(3))));
+    CHECK(has_none(6));
+    CHECK(is_next(13, std::nullopt));
+    CHECK(is_next(17, number(rational(100))));
 }
 
 TEST_CASE("two events about a turn, and one far away from where nothing has a length", "[ode][proved][events]") {

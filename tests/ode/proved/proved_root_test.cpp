@@ -52,6 +52,20 @@ TEST_CASE("no root is proved where the derivative over its box is not known", "[
     CHECK_THROWS_AS(proved_root(open, {number(rational(3, 2))}, 20), error);
 }
 
+// x^2 = 2 with values over boxes narrower than 2^-bits alone: those of 160 bits are wider than 2^-200.
+TEST_CASE("a root is proved as soon as the conditions have values over its box", "[ode][proved]") {
+    const auto narrower_than = [](long bits) {
+        return [bits](const std::vector<ball>& x, long, long) {
+            const bool has_values = magnitude::radius_of(x[0]) < magnitude::of(1, -bits);
+            return has_values ? std::optional(enclosed_map{{x[0] * x[0] - 2}, {{x[0] * 2}}}) : std::nullopt;
+        };
+    };
+    const auto root = proved_root(narrower_than(200), {number(rational(3, 2))}, 20);
+    CHECK(root[0].text == "1.4142135623730950488");
+    CHECK_THROWS_WITH(proved_root(narrower_than(1'000'000), {number(rational(3, 2))}, 20),
+                      Catch::Contains("is not proved at any precision"));
+}
+
 // x = 0 within 2^(-bits/8): proved in wide boxes first.
 TEST_CASE("a root that is not distinguished from 0 has a bound below its digits", "[ode][proved]") {
     const map_of_unknowns wide = [](const std::vector<ball>& x, long bits, long) {
@@ -68,6 +82,22 @@ TEST_CASE("conditions without a finite value are named in the message", "[ode][p
         return std::optional(enclosed_map{{ball(1) / (x[0] - x[0])}, {{ball(1)}}});
     };
     CHECK_THROWS_WITH(proved_root(infinite, {number(rational(1))}, 20), Catch::Contains("with residual not finite"));
+}
+
+// x + y = 1 and 2 x + 2 y = 3.
+TEST_CASE("conditions that contradict each other are named with the last iterate", "[ode][proved]") {
+    const map_of_unknowns parallel = [](const std::vector<ball>& x, long, long) {
+        const ball sum = x[0] + x[1];
+        return std::optional(enclosed_map{{sum - 1, sum * 2 - 3}, {{ball(1), ball(1)}, {ball(2), ball(2)}}});
+    };
+    const std::vector<number> guess{number(rational(1)), number(rational(2))};
+    const std::string rest = ", with residual 2.00, 3.00: try a better initial guess";
+    CHECK_THROWS_WITH(proved_root(parallel, guess, 20),
+                      Catch::Contains("the derivative of the conditions is singular; the last iterate is "
+                                      "x1 = 1.000000000, x2 = 2.000000000" +
+                                      rest));
+    CHECK_THROWS_WITH(proved_root(parallel, guess, 20, {"a", "b"}),
+                      Catch::Contains("the last iterate is a = 1.000000000, b = 2.000000000" + rest));
 }
 
 // y = k sin t: k = 2/sin 1. And y' = y (1 - y/c), y(0) = s: two unknowns from y(1) = 1/2, y(2) = 1 in closed form:

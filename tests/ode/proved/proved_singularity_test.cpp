@@ -92,6 +92,13 @@ TEST_CASE("a proof of a radius that is ended passes the reason on, with the boun
     long steps = 0;
     CHECK_THROWS_WITH(prove_radius(system, 3, ended_route(steps, plane_step::point, 1, error_kind::undecided)),
                       "work was ended");
+    // The last point is a singularity of the map, whose position is refined after the search.
+    steps = 0;
+    prove_radius(system, 3, ended_route(steps, plane_step::point, -1, error_kind::undecided));
+    const long points = steps;
+    steps = 0;
+    CHECK_THROWS_WITH(prove_radius(system, 3, ended_route(steps, plane_step::point, points, error_kind::undecided)),
+                      "work was ended");
     steps = 0;
     prove_radius(system, 3, ended_route(steps, plane_step::disc, -1, error_kind::undecided));
     const long discs = steps;

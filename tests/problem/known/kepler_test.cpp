@@ -3,6 +3,7 @@
 #include "libration/problem/known/kepler.hpp"
 
 #include <catch2/catch.hpp>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -135,6 +136,69 @@ TEST_CASE("a second proof of an orbit is by integration", "[problem]") {
     CHECK(rounded.drifts.size() == 1);
     how.integrator = ode::integrator_choice::taylor;
     CHECK_THROWS_WITH(planet->states("2", how), Catch::Contains("is not used by the closed form of " + words));
+}
+
+// x = cos u - e, y = sqrt(1 - e^2) sin u, e = 3/5, at t = u - e sin u, u = 1. The derivative of x along a rotation of the
+// start (r, 0) with the velocity (0, v), r = 2/5, v = 2, is r dx/dy(0) - v dx/dx'(0) = -y.
+TEST_CASE("arithmetic that rounds and derivatives are those of the integration", "[problem]") {
+    const precision_scope scope(40);
+    const std::string time = "1-3/5*sin(1)";
+    const auto planet = solve(problem("kepler"));
+    const answer fixed = planet->states(time, {.scalar = {scalar_kind::binary64, 17}});
+    CHECK(fixed.rigour == "heuristic");
+    // A few steps of Taylor series, with velocities up to 2.
+    CHECK(abs(mpfr(fixed.at(0, "x")) - (cos(mpfr(1)) - mpfr(3) / 5)) < 100 * std::numeric_limits<double>::epsilon());
+    request how = proved_digits(20);
+    how.derivatives = {"y(0)", "x'(0)"};
+    const answer derived = planet->states(time, how);
+    const mpfr turned = mpfr(derived.at(0, "dx(t)/dy(0)")) * 2 / 5 - mpfr(derived.at(0, "dx(t)/dx'(0)")) * 2 +
+                        mpfr(4) / 5 * sin(mpfr(1));
+    CHECK(abs(turned) < pow(mpfr(10), -18));
+}
+
+// On the circle x = cos t, y = sin t.
+TEST_CASE("invariants are compared at every state that is found", "[problem]") {
+    const std::string circle = "x'' = -x/(x^2+y^2)^(3/2); y'' = -y/(x^2+y^2)^(3/2); x(0)=1; y(0)=0; x'(0)=0; y'(0)=1";
+    CHECK(solve(problem(circle))->states("1", rounded_digits(15)).drifts.empty());
+    CHECK(solve(problem(circle + "; invariant x"))->states("pi/3", rounded_digits(15)).drifts ==
+          std::vector<std::string>{"0.500"});
+    const precision_scope scope(40);
+    const auto planet = solve(problem("kepler"));
+    const answer late = planet->states("1e50, 1e80", rounded_digits(15));
+    REQUIRE(late.drifts.size() == 2);
+    for (const std::string& drift : late.drifts) {
+        CHECK(mpfr(drift) < pow(mpfr(10), -15));
+    }
+    request how = rounded_digits(15);
+    how.progress = [](double) { throw error(error_kind::undecided, "the time", "", "is up"); };
+    const answer ended = planet->states("1, 2, 3", how);
+    CHECK_THROWS_WITH(ended.at(1, "x"), "the time is up");
+    REQUIRE(ended.drifts.size() == 3);
+    CHECK(mpfr(ended.drifts[0]) < pow(mpfr(10), -15));
+    CHECK(ended.drifts[1].empty());
+    CHECK(ended.drifts[2].empty());
+}
+
+// x = cos(t - 1/64), y = sin(t - 1/64): integration does not distinguish 1e-1200 from 0.
+TEST_CASE("a second proof compares what both decide", "[problem]") {
+    request how = proved_digits(5);
+    how.check = true;
+    const auto circle = solve(
+        problem("x'' = -x/(x^2+y^2)^(3/2); y'' = -y/(x^2+y^2)^(3/2); x(0)=cos(1/64); y(0)=-sin(1/64); x'(0)=sin(1/64); "
+                "y'(0)=cos(1/64)"));
+    REQUIRE(circle->closed_form() == words);
+    const answer found = circle->states("1/64, 1/64+1e-1200", how);
+    CHECK(found.at(0, "x") == "1.0000");
+    CHECK_THROWS_WITH(found.at(0, "x'"), Catch::Contains("do not distinguish from 0"));
+    CHECK(found.at(1, "y") == "1.0000e-1200");
+    CHECK(found.at(1, "x'") == "-1.0000e-1200");
+}
+
+// y = -1e-10245/2 to first order.
+TEST_CASE("a state without all of its digits in the last run is undecided", "[problem]") {
+    const answer found = solve(problem("kepler"))->states("pi+1e-10245", proved_digits(10));
+    CHECK(found.rows[0].empty());
+    CHECK_THROWS_WITH(found.at(0, "x"), Catch::Contains("is not decided by 10250 digits"));
 }
 
 }  // namespace problem_known_kepler_test

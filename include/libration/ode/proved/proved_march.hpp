@@ -77,9 +77,9 @@ public:
     /// To be called before the first step: errors are weighted absolutely, as for a solution that tends to a constant
     /// while its derivative vanishes much faster (unknown_scales::weigh_by_errors).
     void weigh_by_errors() { scales_.weigh_by_errors(); }
-    /// From here on the derivative of the flow is kept: dy(t)/dy(t0) for all initial values of the set; from a singular
-    /// initial point with respect to its values themselves (singular_step.hpp, derivative_beyond_start, whose errors it
-    /// throws), only before the first step.
+    /// To be called before the first step: the derivative of the flow is kept, dy(t)/dy(t0) for all initial values of
+    /// the set; from a singular initial point with respect to its values themselves (singular_step.hpp,
+    /// derivative_beyond_start, whose errors it throws).
     void keep_derivative();
     /// The unknowns before the first step: empty, or after a singular initial point enclosures of all their values up
     /// to the point where the integration begins.

@@ -216,9 +216,6 @@ void proved_march::count_steps(long count) {
 }
 
 void proved_march::keep_derivative() {
-    if (collocation_->is_active()) {
-        end_collocation();
-    }
     scales_.weigh_by_scales();
     if (singular_) {
         const precision_scope scope(decimal_digits(bits_));

@@ -160,14 +160,13 @@ private:
                     return false;
                 }
                 const complex_disc& from = way ? *way : *best;
-                const complex_ball rest = exact_difference(centre, from.about().offset);
+                const complex_ball back = exact_difference(from.about().offset, centre);
                 const magnitude longest = flow_.route().shortened(from.radius() * magnitude::of(way_part, -15));
-                const bool last = size_of(rest) <= longest;
-                const ball part = last ? ball(1) : ball(longest.exact() / size_of(rest).exact());
-                const complex_ball next = last ? centre : exact_midpoint(from.about().offset + rest * part);
-                if (!certainly_within(exact_difference(next, from.about().offset), from.radius())) {
-                    throw precision_exhausted("a disc below the rounding of its centre");
-                }
+                const bool last = size_of(back) <= longest;
+                const ball part = last ? ball(1) : ball(longest.exact() / size_of(back).exact());
+                // The step is rounded and its end is not: it is inside the disc, however small that is.
+                const complex_ball next =
+                    last ? centre : exact_difference(from.about().offset, exact_midpoint(back * part));
                 if (!last && !certainly_less(ball(next.re * next.re + next.im * next.im), farthest)) {
                     throw precision_exhausted("the modulus of a corner");
                 }

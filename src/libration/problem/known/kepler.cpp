@@ -20,6 +20,12 @@ namespace libration {
 
 namespace {
 
+// The values at a time as they are printed, and the numbers that they round.
+struct kepler_row {
+    closed_form_row printed;
+    ode::solution_state<mpfr> state;
+};
+
 class kepler_solution : public taylor_solution {
 public:
     kepler_solution(const ode::equation_system& equations, recognised_kepler found)
@@ -31,9 +37,7 @@ public:
 private:
     // In the order of the quantities, in the working precision.
     std::array<ball, 4> enclosed_at(const ode::number& elapsed) const;
-    closed_form_row row_at(const exact& time, long digits) const;
-    std::vector<ode::solution_state<mpfr>> states_of_drifts(const std::vector<exact>& times, const answer& known,
-                                                            long digits) const;
+    kepler_row row_at(const exact& time, long digits) const;
     void require_second_proof(const std::vector<exact>& times, const request& how, const answer& first) const;
 
     recognised_kepler of_;
@@ -48,11 +52,10 @@ std::array<ball, 4> kepler_solution::enclosed_at(const ode::number& elapsed) con
 }
 
 // With more digits until each value is proved or, in the last run, contains 0 and has a bound.
-closed_form_row kepler_solution::row_at(const exact& time, long digits) const {
+kepler_row kepler_solution::row_at(const exact& time, long digits) const {
     const ode::number elapsed = time_of_problem(time) - system().point();
     return with_growing_precision(
-        proving(digits), "the state at time " + time.text,
-        [&](const precision_run& run) -> std::optional<closed_form_row> {
+        proving(digits), "the state at time " + time.text, [&](const precision_run& run) -> std::optional<kepler_row> {
             const auto values = enclosed_at(elapsed);
             closed_form_row row;
             for (std::size_t i = 0; i < values.size(); ++i) {
@@ -69,7 +72,9 @@ closed_form_row kepler_solution::row_at(const exact& time, long digits) const {
                     return std::nullopt;
                 }
             }
-            return row;
+            return kepler_row{
+                std::move(row),
+                {{midpoint_of(values[0]), midpoint_of(values[1])}, {midpoint_of(values[2]), midpoint_of(values[3])}}};
         });
 }
 
@@ -79,32 +84,22 @@ answer kepler_solution::states(const std::vector<exact>& times, const request& h
     if (!correct || !how.derivatives.empty()) {
         return taylor_solution::states(times, how);
     }
-    answer result = closed_form_states(closed_form(), quantities(), times, how,
-                                       [&](const exact& time) { return row_at(time, how.printed_digits()); });
+    const ode::solution_state<mpfr> without_values(quantities().size() / 2);
+    std::vector<ode::solution_state<mpfr>> reached;
+    answer result = closed_form_states(closed_form(), quantities(), times, how, [&](const exact& time) {
+        auto& state = reached.emplace_back(without_values);
+        kepler_row row = row_at(time, how.printed_digits());
+        state = std::move(row.state);
+        return std::move(row.printed);
+    });
     if (how.check) {
         require_second_proof(times, how, result);
     }
-    if (!proved && !system().invariants().empty()) {
-        const long digits = digits_of_integration(how);
-        result.drifts = drifts(times, states_of_drifts(times, result, digits), digits);
+    if (!proved) {
+        reached.resize(times.size(), without_values);
+        result.drifts = drifts(times, reached, how.printed_digits());
     }
     return result;
-}
-
-// For the times whose rows are known: with more digits than those of the result.
-std::vector<ode::solution_state<mpfr>> kepler_solution::states_of_drifts(const std::vector<exact>& times,
-                                                                         const answer& known, long digits) const {
-    const precision_scope scope(digits + 2 * digits_beyond_result);
-    std::vector<ode::solution_state<mpfr>> all;
-    for (std::size_t i = 0; i < times.size(); ++i) {
-        auto& state = all.emplace_back(2);
-        if (!known.rows[i].empty()) {
-            const auto values = enclosed_at(time_of_problem(times[i]) - system().point());
-            state = {{midpoint_of(values[0]), midpoint_of(values[1])},
-                     {midpoint_of(values[2]), midpoint_of(values[3])}};
-        }
-    }
-    return all;
 }
 
 // By integration.
