@@ -1,4 +1,4 @@
-#include "libration/ode/proved/equilibrium/limit_at_equilibrium.hpp"
+#include "libration/ode/proved/limit_at_equilibrium.hpp"
 
 #include <algorithm>
 #include <string>
