@@ -25,7 +25,7 @@ const std::vector<failing_command>& failing_commands() {
         {error_kind::argument, {"reference", "--energy", "2", "--times", "T/4"}},
         {error_kind::range, {"period", "--energy", "1e-400", "--scalar", "double"}},
         {error_kind::undecided, {"reference", "--problem", "x' = 1 + x^2; x(0) = 0", "--times", "2", "--digits", "5"}},
-        {error_kind::undecided, {"reference", "--problem", "x' = -x; x(0) = 1", "--times", "inf", "--digits", "5"}}};
+        {error_kind::undecided, {"reference", "--problem", "x' = -x^2; x(0) = 1", "--times", "inf", "--digits", "5"}}};
     return all;
 }
 
