@@ -254,8 +254,8 @@ class Problem:
         return Singularities(found.names, found.cells, complete)
 
     def limits(self, digits: int = 50) -> Row:
-        """The unknowns and their lower derivatives at infinite time, proved by a lemma. Raises UndecidedError for a
-        problem without one."""
+        """The unknowns and their lower derivatives at infinite time, proved: at a stable equilibrium that the solution
+        approaches, or by a lemma on the problem. Raises UndecidedError if neither is found."""
         return Table._of(self._problem.limits(digits))[0]
 
     def find(self, unknowns: str | Sequence[str], such_that: str | Sequence[str], digits: int = 50) -> dict[str, Ball]:

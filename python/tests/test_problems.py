@@ -62,7 +62,8 @@ def test_unknowns_orbits_and_limits():
     assert str(lb.problem("van_der_pol").orbit(12)["period"]).startswith("6.6632868593")
     assert str(lb.problem("sir").limits(12)["S"]) == "76.0563587703"
     with pytest.raises(lb.UndecidedError):
-        lb.problem("lorenz").limits(5)
+        lb.problem("y' = -y^2; y(0) = 1").limits(5)
+    assert str(lb.problem("y' = cos(y) - y; y(0) = 1").limits(20)["y"]) == "0.73908513321516064166"
 
 
 def test_radius_of_the_tangent():

@@ -76,7 +76,8 @@ public:
     }
     /// The quantities in double precision at many times; nullptr if there is no closed form for it.
     virtual std::unique_ptr<double_sampler> sampler() const { return nullptr; }
-    /// The quantities at infinite time, by a lemma. Throws error of the kind undecided if there is none.
+    /// The quantities at infinite time: at a stable equilibrium that the solution approaches, or by a lemma on the problem.
+    /// Throws error of the kind undecided if neither is found.
     virtual answer limits(const request& how) const = 0;
     /// The first `count` times after the start at which a condition such as "x' = 1/2" holds: time and the quantities,
     /// proved, without omissions.

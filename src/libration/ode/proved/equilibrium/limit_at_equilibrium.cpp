@@ -15,7 +15,8 @@ namespace {
 constexpr int last_power_of_time = 64;
 constexpr long most_steps_to_limit = 20'000;
 constexpr long first_bits_of_states = 128;
-constexpr long most_bits_of_states = 1024;
+// Solutions that approach an equilibrium do not lose bits for long.
+constexpr long most_bits_of_states = 256;
 // The bits of the zero are doubled so many times for a value that is not distinguished from 0.
 constexpr int most_runs_at_zero = 3;
 
