@@ -191,7 +191,8 @@ int libration_problem_singularities(const libration_problem *problem, const char
 int libration_problem_limits(const libration_problem *problem, long digits, libration_table **limits);
 /* The first `count` times after the initial point at which a condition on the unknowns holds, "x' = 1/2": time and one
  * column for each name, proved, without omissions. UNDECIDED also gives a table, of the first ones, if there are not as
- * many within 5000 steps each or before the solution ends. */
+ * many within 5000 steps each or before the solution ends, and if a number of one is not distinguished from 0: it is then
+ * 0 as in libration_problem_known_states. */
 int libration_problem_events(const libration_problem *problem, const char *condition, long count, long digits,
                              libration_table **events);
 /* The states at times that are fractions, proved, and in the file `path` a certificate, from which the program

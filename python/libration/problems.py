@@ -191,7 +191,8 @@ class Problem:
         self, condition: str, count: int = 1, digits: int = 50, certificate: str | PathLike[str] | None = None
     ) -> Table:
         """The first `count` times after the start at which a condition "x' = 1/2" holds, and the unknowns there, proved,
-        without omissions. Raises UndecidedError where there are not as many; its `partial` has the first ones.
+        without omissions. Raises UndecidedError where there are not as many, and for a number that is not
+        distinguished from 0; its `partial` has what is proved.
         certificate is the path of a file from which check() proves them again, and that there are no others."""
         if certificate is not None:
             return Table._of(self._problem.event_certificate(condition, count, digits, fspath(certificate)))

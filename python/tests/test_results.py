@@ -62,6 +62,15 @@ def test_events_are_times():
     assert near(caught.value.partial["time"][0], mpmath.pi / 4, 20)
 
 
+def test_a_number_of_an_event_that_is_0_has_a_bound():
+    # x = t - 1 and u = tan(t - 1).
+    with pytest.raises(lb.UndecidedError, match="value of u") as caught:
+        lb.problem("x' = 1; u' = 1 + u^2; x(0) = -1; u(0) = -tan(1)").events("x = 0", digits=20)
+    event = caught.value.partial[0]
+    assert str(event["time"]) == "1.0000000000000000000" and event["x"].uncertainty == "0"
+    assert str(event["u"]) == "0" and 0 < mpmath.mpf(event["u"].uncertainty) < mpmath.mpf(10) ** -60
+
+
 def test_trajectory_of_the_problem_itself():
     times = np.linspace(-5, 5, 101)
     found = lb.problem(SPRING).trajectory(times)

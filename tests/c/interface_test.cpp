@@ -220,6 +220,26 @@ TEST_CASE("derivatives and events are those of a spring", "[c]") {
     CHECK(libration_problem_events(spring.get(), "x = 0", 0, 20, &none) == LIBRATION_ARGUMENT);
 }
 
+// x = t - 1 and u = tan(t - 1), which is 0 at the first event.
+TEST_CASE("what is proved of an event is kept where a number of it is not", "[c]") {
+    const auto problem = problem_of("x' = 1; u' = 1 + u^2; x(0) = -1; u(0) = -tan(1)");
+    libration_table* found = nullptr;
+    CHECK(libration_problem_events(problem.get(), "x = 0", 1, 20, &found) == LIBRATION_UNDECIDED);
+    CHECK(libration_error_subject() == std::string("event"));
+    CHECK(std::string(libration_error_reason()).find("has a value of u that ") != std::string::npos);
+    REQUIRE(found != nullptr);
+    const table event(found);
+    CHECK(cell(event, 0, 0) == "1.0000000000000000000");
+    CHECK(cell(event, 0, 1) == "0");
+    CHECK(std::stold(libration_number_uncertainty(libration_table_number(found, 0, 1))) == 0);
+    CHECK(cell(event, 0, 2) == "0");
+    const libration_number* const zero = libration_table_number(found, 0, 2);
+    CHECK(libration_number_rigour(zero) == LIBRATION_PROVED);
+    const long double bound = std::stold(libration_number_uncertainty(zero));  // beyond the range of double
+    CHECK(bound > 0);
+    CHECK(bound < 1e-60L);
+}
+
 TEST_CASE("a certificate of proved values is checked by another program", "[c][certificate]") {
     const libration::tests::temporary_folder folder;
     const std::string file = (folder.path() / "a.cert").string();

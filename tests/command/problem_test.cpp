@@ -296,6 +296,29 @@ TEST_CASE("events that are found are printed also where others are not", "[comma
     check_refused({"reference", "--problem", "lorenz", "--until", "x = 0", "--horizon", "0"}, {"--horizon"});
 }
 
+// At half the period x = -(1 + e), x' = 0 and y' = -sqrt((1 - e)/(1 + e)).
+TEST_CASE("a number of an event that is exactly 0 does not lose the others", "[command][problem]") {
+    const words events{"reference", "--problem", "kepler", "--until", "y = 0", "--digits", "10"};
+    const auto text = run_libration(events);
+    CHECK(text.exit_code == 1);
+    CHECK_THAT(text.out, Catch::StartsWith("time      3.141592654\nx         -1.600000000\nx'        |x'| < "));
+    CHECK_THAT(text.out, Catch::EndsWith("\ny         0\ny'        -0.5000000000\n"));
+    CHECK_THAT(text.err, Catch::StartsWith("libration: event '1' has a value of x' that ") &&
+                             Catch::Contains(" bits do not distinguish from 0: |x'| < "));
+    CHECK(std::ranges::count(text.err, '\n') == 1);
+    const words tangent{"reference", "--problem",       "x' = 1; u' = 1 + u^2; x(0) = -1; u(0) = -tan(1)",
+                        "--until",   "x*(2*x - 1) = 0", "--count",
+                        "2",         "--digits",        "12",
+                        "--check"};
+    const auto csv = run_libration(tangent + words{"--format", "csv"});
+    CHECK(csv.exit_code == 1);
+    CHECK_THAT(csv.out,
+               Catch::StartsWith("time,x,u,digits,rigour,count,undecided\n1.00000000000,0,,12,proved,1,|u| < "));
+    CHECK_THAT(csv.out, Catch::EndsWith("\n1.50000000000,0.500000000000,0.546302489844,12,proved,2,\n"));
+    const auto json = run_libration(tangent + words{"--format", "json"});
+    CHECK_THAT(json.out, Catch::Contains("\"undecided\": \"|u| < "));
+}
+
 // A long-running search, ended after a second.
 TEST_CASE("a search that is interrupted prints the events that it knows", "[command][problem]") {
     const temporary_folder folder;

@@ -461,9 +461,10 @@ FAULTS = [
         ("the errors left behind at a time", "values[i] = widened(values[i], errors_.reach(map, i));", ""),
     ),
     *in_file(
-        "src/libration/ode/proved/proving_runs.hpp", ["ode/proved/scale_test.cpp"],
-        ("a value that contains 0 as 0", "state[k].decimal = to_proved_decimal(values[k], digits_);",
-         "state[k].decimal = contains_zero(values[k]) ? std::optional(proved_decimal{\"0\", \"0\"}) : to_proved_decimal(values[k], digits_);"),
+        "src/libration/ode/proved/needed_bits.hpp", ["ode/proved/scale_test.cpp", EVENTS],
+        ("a value that contains 0 as 0", "known.decimal = to_proved_decimal(value, digits);",
+         "known.decimal = contains_zero(value) ? std::optional(proved_decimal{\"0\", \"0\"}) : to_proved_decimal(value, digits);"),
+        sources=("src/libration/ode/proved/proved_trajectory.cpp", "src/libration/ode/proved/proved_events.cpp"),
     ),
     *in_file(
         ROOM + "scalar/ball/decimal.hpp", ["ode/proved/scale_test.cpp"],
@@ -590,8 +591,11 @@ FAULTS = [
          "each.beyond && last && known_sign((*last - march_.reached()) * direction_ - each.from) <= 0", "each.beyond"),
     ),
     *in_file(
-        "src/libration/ode/proved/proved_events.cpp", [EVENTS],
-        ("any event taken for one before the end", "if (arb_is_nonnegative(rest.handle()) != 0) {", "if (true) {"),
+        "src/libration/ode/proved/event_list.hpp", [EVENTS],
+        ("any event taken for one before the end",
+         "if (arb_is_nonnegative(ball((last - time) * (direction < 0 ? -1 : 1)).handle()) != 0) {", "if (true) {"),
+        ("the numbers of one event given to another", "const bool is_new = found_ == known_.size();\n        known_event event =",
+         "const bool is_new = found_ == known_.size();\n        known_event event = !known_.empty() ? known_[0] :"),
     ),
     *in_file(
         "src/libration/ode/proved/linear_flow.cpp", ["ode/proved/linear_flow_test.cpp"],

@@ -167,6 +167,21 @@ TEST_CASE("the problems of the DETEST set with discontinuities have 20 digits at
     CHECK_THAT(missing_of("detest_f1", "1"), Catch::Contains("do not distinguish from 0"));
 }
 
+// u = tan(t - 1) is 0 at the first bounce, at t = 1, and tan 1 at the second.
+TEST_CASE("a number of a bounce that is exactly 0 does not lose the others", "[problem][hybrid]") {
+    const auto falling =
+        solve(problem("y'' = -2; u' = 1 + u^2; y(0) = 1; y'(0) = 0; u(0) = -tan(1); when y = 0 down: y' = -y'/2"));
+    const answer bounces = falling->events("y = 0", 2, proved_digits(20));
+    REQUIRE(bounces.rows.size() == 2);
+    CHECK(bounces.at(0, "time") == "1.0000000000000000000");
+    CHECK(bounces.at(0, "y'") == "-2.0000000000000000000");
+    CHECK(bounces.rows[0][3].text.empty());
+    CHECK(mpfr(bounces.rows[0][3].bound) < mpfr("1e-60"));
+    CHECK_THROWS_WITH(bounces.at(0, "u"), Catch::Contains("event '1' has a value of u that "));
+    CHECK(bounces.at(1, "time") == "2.0000000000000000000");
+    CHECK(bounces.at(1, "u") == "1.5574077246549022305");
+}
+
 TEST_CASE("sliding and tangential solutions end with the surface and the time", "[problem][hybrid]") {
     const std::string friction = "x' = -sign(x); x(0) = 1";
     CHECK(value_at(friction, "1/2", "x") == "0.500000000000000000000000000000");

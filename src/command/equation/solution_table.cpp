@@ -83,7 +83,7 @@ std::string bounds_of(const answer& found, const std::vector<answer_value>& row)
     return bounds;
 }
 
-std::string paragraph_of(const answer& found, const std::vector<answer_value>& row, const std::string& time) {
+std::string paragraph_of(const answer& found, const std::vector<answer_value>& row, const std::string& time = {}) {
     const std::size_t width = width_of(found.names);
     std::string text = line_of("time", time, width);
     for (std::size_t i = 0; i < row.size(); ++i) {
@@ -92,6 +92,14 @@ std::string paragraph_of(const answer& found, const std::vector<answer_value>& r
     }
     return text;
 }
+
+void add_numbers(table_row_cells& row, const std::vector<answer_value>& values, long digits) {
+    for (const answer_value& value : values) {
+        row.push_back(value.text.empty() ? cell() : cell::number(value.text, digits));
+    }
+}
+
+void add_paragraph(std::string& text, const std::string& paragraph) { text += (text.empty() ? "" : "\n") + paragraph; }
 
 }  // namespace
 
@@ -122,9 +130,7 @@ partial_table states_table(const answer& found, const std::vector<exact>& times,
         };
         add(shared.before_time);
         row.push_back(number_cell(decimals[i]));
-        for (const answer_value& value : found.rows[i]) {
-            row.push_back(value.text.empty() ? cell() : cell::number(value.text, digits));
-        }
+        add_numbers(row, found.rows[i], digits);
         add(shared.behind_values);
         row.insert(row.end(), {digits, found.rigour});
         add(shared.behind_rigour);
@@ -137,7 +143,7 @@ partial_table states_table(const answer& found, const std::vector<exact>& times,
             row.emplace_back(bounds_of(found, found.rows[i]));
         }
         result.rows.add_row(std::move(row));
-        result.text += (result.text.empty() ? "" : "\n") + paragraph_of(found, found.rows[i], decimals[i]);
+        add_paragraph(result.text, paragraph_of(found, found.rows[i], decimals[i]));
     }
     return result;
 }
@@ -146,6 +152,30 @@ partial_table states_table(const solution& of, const std::vector<exact>& times, 
                            const shared_cells& shared) {
     const long digits = how.printed_digits();
     return states_table(of.states(times, how), times, of.times_in_decimals(times, digits), digits, shared);
+}
+
+partial_table events_table(const answer& found, long digits) {
+    std::vector<column> columns;
+    for (const std::string& name : found.names) {
+        columns.push_back({name, ""});
+    }
+    columns.insert(columns.end(), {{"digits", ""}, {"rigour", ""}, {"count", ""}});
+    if (has_undecided(found)) {
+        columns.push_back({"undecided", ""});
+    }
+    partial_table result{table(std::move(columns)), "", "", found.missing, found.collocation};
+    long count = 0;
+    for (const auto& event : found.rows) {
+        table_row_cells row;
+        add_numbers(row, event, digits);
+        row.insert(row.end(), {digits, found.rigour, ++count});
+        if (has_undecided(found)) {
+            row.emplace_back(bounds_of(found, event));
+        }
+        result.rows.add_row(std::move(row));
+        add_paragraph(result.text, paragraph_of(found, event));
+    }
+    return result;
 }
 
 std::string lines_of_states(const table& data) {

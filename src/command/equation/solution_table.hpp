@@ -53,6 +53,9 @@ partial_table states_table(const answer& found, const std::vector<exact>& times,
 partial_table states_table(const solution& of, const std::vector<exact>& times, const request& how,
                            const shared_cells& shared = {});
 
+/// Events, each in a row: time,<quantity>...,digits,rigour,count; then `undecided` as for states.
+partial_table events_table(const answer& found, long digits);
+
 /// States as readable text: a paragraph per time, a line per column.
 std::string lines_of_states(const table& data);
 

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "equation/problem_trajectory.hpp"
 #include "libration/digits/proved/two_proofs.hpp"
 #include "libration/ode/constant_value.hpp"
+#include "libration/problem/proved_answer.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/text/decimal.hpp"
 #include "run/ending_signal.hpp"
@@ -24,24 +24,6 @@ namespace {
 
 constexpr std::size_t parts_of_search = 1000;
 constexpr int interrupted_code = 1;
-
-table table_of_events(const ode::explicit_system& system, const std::vector<ode::printed_event>& events, long digits) {
-    auto columns = columns_of_states(system);
-    columns.back() = {"count", ""};
-    table data(std::move(columns));
-    long count = 0;
-    for (const ode::printed_event& event : events) {
-        table_row_cells row{cell::number(event.time.text, digits)};
-        for (const proved_decimal& value : event.values) {
-            row.push_back(cell::number(value.text, digits));
-        }
-        row.emplace_back(digits);
-        row.emplace_back("proved");
-        row.emplace_back(++count);
-        data.add_row(std::move(row));
-    }
-    return data;
-}
 
 // The progress of a search: of the time up to its end, else of its events and of the horizon of the next one. It does
 // not decrease when a run restarts.
@@ -92,21 +74,24 @@ private:
 // The results of a search up to a signal that ends it, written in one thread and read in another.
 class known_so_far {
 public:
-    void tell(const ball& reached, const std::vector<ode::printed_event>& known) {
+    /// All events are copied when a run begins, since the one before may have added digits to them.
+    void tell(const ball& reached, long bits, const std::vector<ode::known_event>& known) {
         const std::lock_guard lock(mutex_);
         reached_ = reached;
-        for (std::size_t i = events_.size(); i < known.size(); ++i) {
-            events_.push_back(known[i]);
+        if (bits != bits_) {
+            events_.clear();
+            bits_ = bits;
         }
+        events_.insert(events_.end(), known.begin() + static_cast<std::ptrdiff_t>(events_.size()), known.end());
     }
 
     /// Writes the events, reports the time reached, and ends the process.
     [[noreturn]] void end(const ode::explicit_system& system, const ode::event_request& request, long digits,
-                          const std::function<void(const table&)>& write) {
+                          const std::function<void(const partial_table&)>& write) {
         const std::lock_guard lock(mutex_);
         try {
             if (!events_.empty()) {
-                write(table_of_events(system, events_, digits));
+                write(events_table(answer_of(names_of_state(system), ode::event_report{events_, {}, {}}), digits));
             }
             const precision_scope scope(20);
             say_line(fmt::format("the search for events was interrupted about time {}, with {} of {} events proved",
@@ -121,48 +106,54 @@ public:
 private:
     std::mutex mutex_;
     std::optional<ball> reached_;
-    std::vector<ode::printed_event> events_;
+    std::vector<ode::known_event> events_;
+    long bits_ = 0;  // of the run
 };
 
 void check_events(const ode::explicit_system& system, ode::event_request request, long digits,
-                  const event_searcher& search, const std::vector<ode::printed_event>& first) {
+                  const event_searcher& search, const std::vector<ode::known_event>& first) {
     if (first.empty()) {
         return;
     }
     request.count = static_cast<long>(first.size());
     const auto report = search(request, digits + ode::more_digits_of_second_proof, ode::proof_route::second(), {});
-    if (report.missing) {
-        throw error(*report.missing);
-    }
     const auto& second = report.events;
-    const auto columns = columns_of_states(system);
+    if (second.size() < first.size()) {
+        throw error(report.missing.value());
+    }
+    const auto names = names_of_state(system);
+    const auto require_same = [](const ode::known_value& a, const ode::known_value& b, const std::string& what) {
+        if (a.decimal && b.decimal) {
+            require_agreement(*a.decimal, *b.decimal, what);
+        }
+    };
     for (std::size_t i = 0; i < first.size(); ++i) {
         const std::string event = fmt::format(" of event {}", i + 1);
-        require_agreement(first[i].time, second[i].time, "the time" + event);
-        for (std::size_t j = 0; j < first[i].values.size(); ++j) {
-            require_agreement(first[i].values[j], second[i].values[j], columns[j + 1].name + event);
+        require_same(first[i].time, second[i].time, "the time" + event);
+        for (std::size_t j = 0; j < names.size(); ++j) {
+            require_same(first[i].values[j], second[i].values[j], names[j] + event);
         }
     }
 }
 
 }  // namespace
 
-events_found problem_events(const ode::explicit_system& system, const ode::event_request& request, long digits,
-                            const ode::proof_route& route, bool check, const event_searcher& search,
-                            const std::function<void(const table&)>& write) {
+partial_table problem_events(const ode::explicit_system& system, const ode::event_request& request, long digits,
+                             const ode::proof_route& route, bool check, const event_searcher& search,
+                             const std::function<void(const partial_table&)>& write) {
     const auto checked = checked_products(check);
     search_progress shown(system, request);
     known_so_far known;
     const at_ending_signal interrupted([&] { known.end(system, request, digits, write); });
     const auto report = search(request, digits, route,
-                               [&](const ball& reached, long bits, const std::vector<ode::printed_event>& events) {
+                               [&](const ball& reached, long bits, const std::vector<ode::known_event>& events) {
                                    shown.reached(reached, bits, events.size());
-                                   known.tell(reached, events);
+                                   known.tell(reached, bits, events);
                                });
     if (check) {
         check_events(system, request, digits, search, report.events);
     }
-    return {table_of_events(system, report.events, digits), report.missing, report.collocation};
+    return events_table(answer_of(names_of_state(system), report), digits);
 }
 
 }  // namespace libration

@@ -87,7 +87,8 @@ figure_content event_plot(const problem_options& problem, const table& events, c
     const auto names = members_of(events.columns(), &column::name);
     const auto time = static_cast<std::size_t>(std::ranges::find(names, "time") - names.begin());
     const mpfr first = ode::constant_value<mpfr>::of(problem.choose_first_branch().point());
-    const mpfr last(events.rows().back()[time].text());
+    const std::string& at = events.rows().back()[time].text();
+    const mpfr last(at.empty() ? "0" : at);  // only a time that is not distinguished from 0 has no decimal
     std::vector<exact> times;
     for (int i = 0; i <= steps; ++i) {
         times.push_back(read_exact(to_decimal(mpfr(first + (last - first) * i / steps), figure_digits)));

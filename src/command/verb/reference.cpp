@@ -258,26 +258,24 @@ int write_events(const reference_options& options, long digits) {
         options.plot.require_known(columns_of_states(system));
     }
     const auto output = table_output(options.output, figure);
-    const auto write = [&](const table& data) { output.write(data, lines_of_states(data)); };
+    const auto write = [&](const partial_table& found) { output.write(found.rows, found.text); };
     ode::proof_route route;
     route.integrator = options.integrator.choice();
     const auto found = naming_option("--until", [&] {
         return integrator_options::naming(
             [&] { return problem_events(system, request, digits, route, options.check, search, write); });
     });
-    if (!found.missing || !found.data.rows().empty()) {
-        if (figure && !found.data.rows().empty()) {
-            figure->draw(event_plot(options.problem, found.data, options.events.condition(), options.plot));
+    if (found.has_output()) {
+        if (figure && !found.rows.rows().empty()) {
+            figure->draw(event_plot(options.problem, found.rows, options.events.condition(), options.plot));
         }
-        write(found.data);
+        write(found);
     }
     options.integrator.state(found.collocation);
-    if (found.missing) {
-        throw error(*found.missing);
-    }
+    require_complete(found);
     if (options.certificate) {
         certify(digits,
-                [&](const auto& how) { certify_events(*options.certificate, system, request, found.data, how); });
+                [&](const auto& how) { certify_events(*options.certificate, system, request, found.rows, how); });
     }
     return 0;
 }

@@ -12,15 +12,14 @@ namespace libration::c {
 namespace {
 
 // A value without proved digits is 0 to within its bound; there is none at a time that its equations do not reach.
-void add_known(libration_table& table, const answer_value& value, bool proved) {
-    if (value.text.empty() && value.bound.empty()) {
+void add_known(libration_table& table, const answer_value& value, const std::string& rigour) {
+    const bool is_known = !value.text.empty() || value.kind != value_kind::number;
+    if (is_known) {
+        table.add(number_of(value, rigour));
+    } else if (value.bound.empty()) {
         table.add(std::string());
-    } else if (value.text.empty()) {
-        table.add(libration_number{"0", value.bound, LIBRATION_PROVED});
-    } else if (proved) {
-        table.add(proved_number({value.text, value.bound}));
     } else {
-        table.add(rounded_number(value.text));
+        table.add(libration_number{"0", value.bound, LIBRATION_PROVED});
     }
 }
 
@@ -45,7 +44,7 @@ libration_table table_of_numbers(const answer& found) {
     libration_table table{found.names, {}};
     for (const auto& row : found.rows) {
         for (const answer_value& value : row) {
-            table.add(number_of(value, found.rigour));
+            add_known(table, value, found.rigour);
         }
     }
     return table;
@@ -83,13 +82,14 @@ known_states states_of(const solution& of, const std::string& times, request how
     how.derivatives = std::move(numbers);
     how.progress = [&](double part) { watch(part); };
     answer found = of.states(at, how);
+    const std::string rigour = how.scalar.kind == scalar_kind::proved ? "proved" : "two-method";
     libration_table table{{"time"}, {}};
     table.names.insert(table.names.end(), found.names.begin(), found.names.end());
     for (std::size_t i = 0; i < items.size(); ++i) {
         table.add(items[i]);
         found.rows[i].resize(found.names.size());
         for (const answer_value& value : found.rows[i]) {
-            add_known(table, value, how.scalar.kind == scalar_kind::proved);
+            add_known(table, value, rigour);
         }
     }
     return {std::move(table), std::move(found.missing)};

@@ -18,7 +18,8 @@ request digits_by(long digits, int rigour);
 /// A value of an answer of this rigour: proved, two-method, or exact for fractions.
 libration_number number_of(const answer_value& value, const std::string& rigour);
 
-/// An answer of which every value is a number.
+/// An answer of which every value is a number, or not decided: then it is 0 to within its bound, or an empty cell if
+/// there is no bound.
 libration_table table_of_numbers(const answer& found);
 
 /// A name and a value in each row.

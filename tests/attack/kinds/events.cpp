@@ -48,24 +48,34 @@ std::string command_of(const event_question& question) {
                        question.asked.condition, question.options, question.digits);
 }
 
-void judge_events(const event_question& question, const std::vector<ode::printed_event>& events, outcome& result) {
+// The digits of a number of an event, or its bound.
+void judge_number(const ode::known_value& number, long digits, const truth& exact, const std::string& name,
+                  outcome& result) {
+    if (number.decimal) {
+        result.add(judged(*number.decimal, digits, exact), name + " = " + number.decimal->text);
+    } else {
+        result.add(judged_bounds("-" + number.bound, number.bound, exact), "|" + name + "| < " + number.bound);
+    }
+}
+
+void judge_events(const event_question& question, const std::vector<ode::known_event>& events, outcome& result) {
     const auto wanted = question.wanted();
     const auto& problem = question.asked.problem;
     for (std::size_t i = 0; i < events.size(); ++i) {
-        const std::string text = fmt::format("event {} at {}", i + 1, events[i].time.text);
+        const std::string event = fmt::format("event {}, ", i + 1);
         if (i >= wanted.size()) {
             const bool none = question.asked.all || question.before;
-            result.add(none ? verdict::wrong : verdict::undecided, text + ", which is not one");
+            result.add(none ? verdict::wrong : verdict::undecided, event + "which is not one");
             continue;
         }
         const truth since = wanted[i].since;
         const rational origin = problem.origin;
-        result.add(judged(events[i].time, question.digits, [=] { return mpfr(real(origin) + since()); }), text);
+        const truth time = [=] { return mpfr(real(origin) + since()); };
+        judge_number(events[i].time, question.digits, time, event + "time", result);
         const std::size_t slope = problem.columns.size() - 1;
         if (problem.columns.size() > 1) {
             const truth value = [&] { return problem.values[slope](since()); };
-            result.add(judged(events[i].values[slope], question.digits, value),
-                       text + ", where " + problem.columns[slope] + " = " + events[i].values[slope].text);
+            judge_number(events[i].values[slope], question.digits, value, event + problem.columns[slope], result);
         }
     }
 }
@@ -114,9 +124,9 @@ outcome judged_question(event_question question) {
         if (question.request.g.is_constant()) {
             return result;
         }
-        const auto report = ode::searched_events(
-            ode::explicit_system(given), question.request, question.digits, {},
-            [](const ball&, long, const std::vector<ode::printed_event>&) { require_time_left(); });
+        const auto report =
+            ode::searched_events(ode::explicit_system(given), question.request, question.digits, {},
+                                 [](const ball&, long, const std::vector<ode::known_event>&) { require_time_left(); });
         judge_events(question, report.events, result);
         if (report.missing) {
             const std::string message = report.missing->what();

@@ -117,8 +117,8 @@ void check_polynomial(const std::vector<rational>& roots, int direction) {
         CHECK_THAT(report.missing->what(), Catch::Contains(std::to_string(expected.size()) + " were found"));
         REQUIRE(report.events.size() == expected.size());
         for (std::size_t i = 0; i < expected.size(); ++i) {
-            CHECK(printed_well(report.events[i].time, expected[i].time));
-            CHECK(report.events[i].values[0].text == "0");
+            CHECK(printed_well(report.events[i].time.decimal.value(), expected[i].time));
+            CHECK(report.events[i].values[0].decimal.value().text == "0");
         }
     }
 }
@@ -191,7 +191,7 @@ void check_oscillator(const rational& a, const rational& b, const rational& c) {
     CHECK_THAT(report.missing->what(), Catch::Contains(std::to_string(expected->size()) + " were found"));
     REQUIRE(report.events.size() == expected->size());
     for (std::size_t i = 0; i < expected->size(); ++i) {
-        CHECK(printed_well(report.events[i].time, (*expected)[i]));
+        CHECK(printed_well(report.events[i].time.decimal.value(), (*expected)[i]));
     }
 }
 
@@ -234,7 +234,7 @@ TEST_CASE("the event of a cubic without an end is its positive root", "[ode][pro
                 request.g = parse_condition(system, "y = 0");
                 const auto report = searched_events(explicit_system(system), request, digits);
                 REQUIRE(report.events.size() == 1);
-                CHECK(printed_well(report.events[0].time, rational(a)));
+                CHECK(printed_well(report.events[0].time.decimal.value(), rational(a)));
             }
         }
     }
@@ -285,7 +285,7 @@ TEST_CASE("events of what is left where large terms cancel", "[ode][proved]") {
         const rational level = w + w * w / 3;
         const auto events = events_at(w, level, rational(7, 4));
         REQUIRE(events.size() == 1);
-        CHECK(printed_well(events[0].time, rational((1 / w - 1 / level) / c)));
+        CHECK(printed_well(events[0].time.decimal.value(), rational((1 / w - 1 / level) / c)));
         CHECK(events_at(w, level, rational(1, 4)).empty());
     }
 }

@@ -27,31 +27,31 @@ std::vector<ode::number> times_of(const numbers& texts) {
 }
 
 // The derivatives at a single time.
-std::vector<std::vector<ode::trajectory_value>> at(const std::string& problem, const std::string& time,
-                                                   const numbers& by, long digits) {
+std::vector<std::vector<ode::known_value>> at(const std::string& problem, const std::string& time, const numbers& by,
+                                              long digits) {
     const auto found = ode::proved_derivatives(ode::parse(problem), times_of({time}), by, digits);
     REQUIRE_FALSE(found.trajectory.missing);
     return found.by.front();
 }
 
-mpfr number_of(const ode::trajectory_value& value) { return mpfr(value.decimal->text); }
+mpfr number_of(const ode::known_value& value) { return mpfr(value.decimal->text); }
 
 // Within one unit of the last of these digits.
-void check_near(const ode::trajectory_value& found, const mpfr& exact, long digits) {
+void check_near(const ode::known_value& found, const mpfr& exact, long digits) {
     REQUIRE(found.decimal);
     INFO(found.decimal->text << " for " << exact);
     CHECK(abs(mpfr(number_of(found) - exact)) <= abs(exact) * pow(mpfr(10), 1 - digits));
 }
 
 // Within one unit of the last digit, and within its own bound, of a value with more digits than the test prints.
-void check_digits(const ode::trajectory_value& found, const mpfr& exact, long digits) {
+void check_digits(const ode::known_value& found, const mpfr& exact, long digits) {
     check_near(found, exact, digits);
     const mpfr distance = abs(mpfr(number_of(found) - exact));
     // The bound has three digits and was rounded up; the exact value here has an error of its own.
     CHECK(distance <= mpfr(found.decimal->uncertainty) + abs(exact) * pow(mpfr(10), -digits - 15));
 }
 
-void check_text(const ode::trajectory_value& found, const std::string& text) {
+void check_text(const ode::known_value& found, const std::string& text) {
     REQUIRE(found.decimal);
     CHECK(found.decimal->text == text);
 }

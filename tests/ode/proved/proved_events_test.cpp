@@ -4,10 +4,12 @@
 #include <catch2/catch.hpp>
 #include <string>
 
+#include "libration/ode/constant_value.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"
+#include "libration/scalar/text/decimal.hpp"
 #include "proved.hpp"
 
 namespace ode_proved_proved_events_test {
@@ -151,7 +153,7 @@ TEST_CASE("the start is no event, one that touches 0, and one that falls", "[ode
         request.way = way;
         request.before = number(rational(2));
         const auto report = searched_events(explicit_system(system), request, 20);
-        return report.events.empty() ? std::string() : report.events.front().time.text;
+        return report.events.empty() ? std::string() : report.events.front().time.decimal.value().text;
     };
     CHECK(first("y' = 1; y(0) = 0", "y = 1", crossing::any) == "1.0000000000000000000");
     CHECK(first("y'' = 2; y(0) = 0; y'(0) = 0", "y = 0", crossing::any) == "0");
@@ -244,6 +246,59 @@ TEST_CASE("up and down are those of increasing time, also backwards", "[ode][pro
     CHECK(within_a_unit(proved_events(explicit_system(system), request, 30).front().time, -pi<ball>(), 30));
     request.way = crossing::up;
     CHECK(within_a_unit(proved_events(explicit_system(system), request, 30).front().time, pi<ball>() * -2, 30));
+}
+
+// x = t - 1 and u = tan(t - 1), which are 0 at the first event.
+TEST_CASE("a number of an event that is exactly 0 has a bound, and the others have their digits", "[ode][proved]") {
+    const auto system = parse("x' = 1; u' = 1 + u^2; x(0) = -1; u(0) = -tan(1)");
+    event_request request;
+    request.g = parse_condition(system, "x*(2*x - 1) = 0");
+    request.count = 2;
+    const auto report = searched_events(explicit_system(system), request, 20);
+    REQUIRE(report.events.size() == 2);
+    CHECK_FALSE(report.events[0].is_complete());
+    CHECK(report.events[0].time.decimal.value().text == "1.0000000000000000000");
+    CHECK(report.events[0].values[0].decimal.value().text == "0");
+    const known_value& zero = report.events[0].values[1];
+    CHECK_FALSE(zero.decimal);
+    CHECK(mpfr(zero.bound) > 0);
+    CHECK(mpfr(zero.bound) < mpfr("1e-60"));
+    CHECK(report.events[1].time.decimal.value().text == "1.5000000000000000000");
+    CHECK(report.events[1].values[0].decimal.value().text == "0.50000000000000000000");
+    const precision_scope scope(60);
+    CHECK(within_a_unit(report.events[1].values[1].decimal.value(), tan(ball(1) / 2), 20));
+    REQUIRE(report.missing);
+    CHECK_THAT(report.missing->what(), Catch::StartsWith("event '1' has a value of u that ") &&
+                                           Catch::Contains("do not distinguish from 0: |u| < "));
+    CHECK_THROWS_WITH(proved_events(explicit_system(system), request, 20), Catch::Contains("distinguish from 0"));
+}
+
+TEST_CASE("the time of an event may be 0, and fewer events than requested are the reason before that",
+          "[ode][proved]") {
+    const auto system = parse("y' = 1 + y^2; y(-1) = -tan(1)");
+    event_request request;
+    request.g = parse_condition(system, "y = 0");
+    const auto alone = searched_events(explicit_system(system), request, 20);
+    REQUIRE(alone.events.size() == 1);
+    CHECK_FALSE(alone.events[0].time.decimal);
+    CHECK(mpfr(alone.events[0].time.bound) < mpfr("1e-60"));
+    CHECK(alone.events[0].values[0].decimal.value().text == "0");
+    CHECK_THAT(alone.missing.value().what(), Catch::Contains("has a value of time that "));
+    request.count = 2;
+    request.before = number(rational(1));
+    const auto more = searched_events(explicit_system(system), request, 20);
+    REQUIRE(more.events.size() == 1);
+    CHECK(mpfr(more.events[0].time.bound) < mpfr("1e-60"));
+    CHECK_THAT(more.missing.value().what(), Catch::Contains("event '2' is not found before that time: 1 were found"));
+}
+
+// v = sin t where t is pi rounded to 200 digits: far below the precision of the first runs for 20 digits.
+TEST_CASE("a tiny number of an event has its digits", "[ode][proved]") {
+    const precision_scope scope(300);
+    const std::string t = to_decimal(midpoint_of(pi<ball>()), 200);
+    const auto found = events_of("x' = 1; v'' = -v; x(0) = 0; v(0) = 0; v'(0) = 1", "x = " + t, 1, 20);
+    const ball rest = pi<ball>() - constant_value<ball>::of(parse_constant(t).constant());
+    CHECK(within_a_unit(found[0].values[1], rest, 20));
 }
 
 }  // namespace ode_proved_proved_events_test

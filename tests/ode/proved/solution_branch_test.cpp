@@ -43,13 +43,13 @@ followed along(const std::string& text, const std::string& unknown, const std::s
     return found;
 }
 
-ball value_of(const trajectory_value& x) {
+ball value_of(const known_value& x) {
     mpfr value;
     mpfr_set_str(handle(value), x.decimal.value().text.c_str(), 10, MPFR_RNDN);
     return ball(value);
 }
 
-bool equal(const trajectory_value& printed, const ball& exact) {
+bool equal(const known_value& printed, const ball& exact) {
     return certainly_less(abs(value_of(printed) - exact), abs(exact) * pow(ball(10), 1 - digits));
 }
 

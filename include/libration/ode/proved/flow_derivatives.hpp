@@ -58,7 +58,7 @@ struct partial_derivatives {
     partial_trajectory trajectory;  ///< `missing` also for derivatives
     /// At each time, for each value of the state in order, dy(t)/dx for each number x in order; empty at a time that is
     /// not reached.
-    std::vector<std::vector<std::vector<trajectory_value>>> by;
+    std::vector<std::vector<std::vector<known_value>>> by;
 };
 
 /// proved_part_of_trajectory with the derivatives of every value with respect to `numbers`, each a parameter, r, or the

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "libration/ode/proved/event_search.hpp"
+#include "libration/ode/proved/known_value.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/text/printed_number.hpp"
 
@@ -32,9 +33,20 @@ struct printed_event {
     std::vector<proved_decimal> values;
 };
 
-/// Proved events, including all before the last of them; if they are fewer than requested, `missing` is the reason.
+/// The same as far as it is proved: a number that no run within the limits distinguishes from 0 has only a bound.
+struct known_event {
+    known_value time;
+    std::vector<known_value> values;
+
+    /// Whether every number has its digits.
+    bool is_complete() const { return time.decimal && all_have_digits(values); }
+};
+
+/// Proved events, including all before the last of them.
 struct event_report {
-    std::vector<printed_event> events;
+    std::vector<known_event> events;
+    /// The reason if there are fewer than requested, or else if a number of one has no digits: an error of the kind
+    /// undecided.
     std::optional<error> missing;
     /// Where the last run used collocation, if it did.
     std::vector<collocation_use> collocation = {};
@@ -42,17 +54,17 @@ struct event_report {
 
 /// Called after each step of the integrator and each event with the time that the current run has reached, its bits,
 /// and the events found so far.
-using event_watch = std::function<void(const ball& reached, long bits, const std::vector<printed_event>& known)>;
+using event_watch = std::function<void(const ball& reached, long bits, const std::vector<known_event>& known)>;
 
-/// Events with `digits` proved digits each, by runs (event_search.hpp) with increasing precision. `missing` is an error
-/// of the kind undecided if the solution ends before (with the time up to which it is proved to exist); if `before`
-/// comes first; if the horizon does; if 16 times the first bits, and 4096 of them, do not determine whether g is 0,
-/// whether the initial point is an event, or whether an event is before `before`, with the proved bounds. Throws other
-/// errors.
+/// Events with `digits` proved digits each, by runs (event_search.hpp) with increasing precision. They are fewer than
+/// requested if the solution ends before (`missing` has the time up to which it is proved to exist); if `before` comes
+/// first; if the horizon does; if 16 times the first bits, and 4096 of them, do not determine whether g is 0, whether
+/// the initial point is an event, or whether an event is before `before` (`missing` has the proved bounds). A number
+/// that is not distinguished from 0 does not affect the others. Throws other errors.
 event_report searched_events(const explicit_system& system, const event_request& request, long digits,
                              const proof_route& route = {}, const event_watch& watch = {});
 
-/// The same with all requested events; throws `missing` otherwise.
+/// The same with all requested events and all their digits; throws `missing` otherwise.
 std::vector<printed_event> proved_events(const explicit_system& system, const event_request& request, long digits,
                                          const proof_route& route = {});
 

@@ -33,8 +33,8 @@ std::vector<proved_decimal> proved_root(const map_of_unknowns& f, const std::vec
                                         const std::vector<std::string>& names = {});
 
 /// The same, with a bound below 10^-digits for an unknown that is not distinguished from 0.
-std::vector<trajectory_value> proved_part_of_root(const map_of_unknowns& f, const std::vector<number>& guess,
-                                                  long digits, const std::vector<std::string>& names = {});
+std::vector<known_value> proved_part_of_root(const map_of_unknowns& f, const std::vector<number>& guess, long digits,
+                                             const std::vector<std::string>& names = {});
 
 /// The value of an unknown or a lower derivative at a time.
 struct point_condition {

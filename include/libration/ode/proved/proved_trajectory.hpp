@@ -2,10 +2,10 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "libration/ode/explicit_system.hpp"
+#include "libration/ode/proved/known_value.hpp"
 #include "libration/ode/proved/proved_march.hpp"
 #include "libration/scalar/ball/ball.hpp"
 #include "libration/scalar/error.hpp"
@@ -13,17 +13,10 @@
 
 namespace libration::ode {
 
-/// A value at a time: its digits or, if no run within the limits proved them, only a bound; neither if the solution
-/// that it depends on is not proved to reach the time.
-struct trajectory_value {
-    std::optional<proved_decimal> decimal;  ///< every digit proved
-    std::string bound;                      ///< without a decimal: proved |value| < bound, three digits, or empty
-};
-
 /// The proved part of a solution at a list of times.
 struct partial_trajectory {
     /// At each time, in order, the unknowns and their lower derivatives; empty at a time that none of them reached.
-    std::vector<std::vector<trajectory_value>> states;
+    std::vector<std::vector<known_value>> states;
     /// The reason for a missing state or decimal, an error of the kind undecided, if one is missing: the solution is
     /// not proved to exist up to a time (the message contains the time up to which it is), or a value is not
     /// distinguished from 0.

@@ -24,7 +24,7 @@ enum class branch_point_kind { solution, turning_point };
 /// A point of a branch: the parameter, then the unknowns.
 struct branch_point {
     branch_point_kind kind;
-    std::vector<trajectory_value> values;
+    std::vector<known_value> values;
 };
 
 /// Why a branch ends.

@@ -186,11 +186,8 @@ private:
     }
 
     // The decimal, which is kept from run to run, or a bound. False without a decimal.
-    bool is_kept(trajectory_value& kept, const ball& value) const {
-        if (!kept.decimal) {
-            kept.decimal = to_proved_decimal(value, digits_);
-            kept.bound = kept.decimal || !is_finite(value) ? "" : bound_text(value);
-        }
+    bool is_kept(known_value& kept, const ball& value) const {
+        improve(kept, value, digits_);
         return kept.decimal.has_value();
     }
 

@@ -1,9 +1,13 @@
 // Adapts the number of bits from run to run to the digits that the last run did not prove.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include "libration/ode/constant_value.hpp"
+#include "libration/ode/proved/known_value.hpp"
 #include "libration/scalar/ball/decimal.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/text/decimal.hpp"
@@ -27,10 +31,6 @@ inline std::string text_of_time(const number& time) {
     return to_decimal(constant_value<mpfr>::of(time), 12);
 }
 
-// An event undecided with this number of bits, and this multiple of those of the first run, is rejected.
-inline constexpr long most_undecided_bits = 4096;
-inline constexpr long most_undecided_factor = 16;
-
 inline constexpr long digits_of_bounds = 12;
 
 // An exact number, rounded down or up.
@@ -42,6 +42,23 @@ inline std::string bound_text(const ball& exact, mpfr_rnd_t rounding) {
 // Decimals between which every number of the ball lies.
 inline std::string bounds_text(const ball& x) {
     return "[" + bound_text(lower_bound(x), MPFR_RNDD) + ", " + bound_text(upper_bound(x), MPFR_RNDU) + "]";
+}
+
+/// Replaces a value without digits by what an enclosure of it proves: `digits` digits, else a bound.
+inline void improve(known_value& known, const ball& value, long digits) {
+    if (!known.decimal) {
+        known.decimal = to_proved_decimal(value, digits);
+        known.bound = known.decimal || !is_finite(value) ? "" : bound_text(value);
+    }
+}
+
+/// The reason why the first value without digits, which contains 0, is left so after a run with so many bits.
+inline std::string text_of_undecided(const std::vector<std::string>& names, const std::vector<known_value>& values,
+                                     long bits) {
+    const auto first = std::ranges::find_if(values, [](const known_value& each) { return !each.decimal; });
+    const std::string& name = names[static_cast<std::size_t>(first - values.begin())];
+    return "has a value of " + name + " that " + std::to_string(bits) + " bits do not distinguish from 0: |" + name +
+           "| < " + first->bound;
 }
 
 /// The bits of a run, and of the next one.
@@ -59,7 +76,7 @@ public:
         }
         if (!contains_zero(value)) {
             raise_for(value, subject, of);
-        } else if (!raised_at_zero(subject, of)) {
+        } else if (!raised_at_zero(0, subject, of)) {
             throw error(error_kind::undecided, subject, of,
                         "has a value that " + std::to_string(now_) + " bits do not distinguish from 0");
         }
@@ -69,9 +86,12 @@ public:
     void raise_for(const ball& value, const std::string& subject, const std::string& of) {
         raise_to(now_ + bits_of_digits(digits_ - proved_digits(value, digits_)) + now_ / 32 + 8, subject, of);
     }
-    /// Doubles the bits for a value that contains 0; false after several such runs.
-    bool raised_at_zero(const std::string& subject, const std::string& of) {
-        if (++runs_at_zero_ >= most_runs_at_zero) {
+    /// Doubles the bits for a value that contains 0, after a run of so many steps of the integrator. False after three
+    /// such runs, or after six if the next one is short.
+    bool raised_at_zero(long steps, const std::string& subject, const std::string& of) {
+        const double next = 2 * static_cast<double>(now_);
+        const bool is_short = static_cast<double>(steps) * next * next <= most_work_at_zero;
+        if (++runs_at_zero_ >= (is_short ? most_runs_at_zero : usual_runs_at_zero)) {
             return false;
         }
         raise_to(2 * now_, subject, of);
@@ -85,8 +105,11 @@ public:
     }
 
 private:
-    // The maximum number of runs, each with more bits, that do not distinguish a value from 0.
+    // The maximum number of runs, each with more bits, that do not distinguish a value from 0: most of these are 0.
+    static constexpr int usual_runs_at_zero = 3;
     static constexpr int most_runs_at_zero = 6;
+    // The steps of a short run times the square of its bits; about a second.
+    static constexpr double most_work_at_zero = 1L << 23;
 
     long digits_;
     long now_;

@@ -94,7 +94,7 @@ public:
         }
     }
 
-    std::vector<trajectory_value> result() {
+    std::vector<known_value> result() {
         long bits = first_root_bits;
         settle(bits);
         int failed = 0;
@@ -179,7 +179,7 @@ private:
     }
 
     // Krawczyk's test, and the digits of the proved solution.
-    std::optional<std::vector<trajectory_value>> proved(long bits) {
+    std::optional<std::vector<known_value>> proved(long bits) {
         const precision_scope scope(decimal_digits(bits));
         const enclosed_map here = at(x_, bits, proved_march::usual_error_bits);
         const auto inverse = inverse_near(here.derivative);
@@ -229,8 +229,8 @@ private:
         return root;
     }
 
-    std::optional<std::vector<trajectory_value>> printed(const std::vector<ball>& root) {
-        std::vector<trajectory_value> values;
+    std::optional<std::vector<known_value>> printed(const std::vector<ball>& root) {
+        std::vector<known_value> values;
         for (const ball& each : root) {
             if (zeros_ == zero_values::bounded && contains_zero(each) && !is_exact(each) &&
                 certainly_less(abs(each), pow(ball(10), -digits_))) {
@@ -260,14 +260,14 @@ private:
 std::vector<proved_decimal> proved_root(const map_of_unknowns& f, const std::vector<number>& guess, long digits,
                                         const std::vector<std::string>& names) {
     std::vector<proved_decimal> decimals;
-    for (const trajectory_value& each : root_search(f, guess, digits, names, zero_values::undecided).result()) {
+    for (const known_value& each : root_search(f, guess, digits, names, zero_values::undecided).result()) {
         decimals.push_back(each.decimal.value());
     }
     return decimals;
 }
 
-std::vector<trajectory_value> proved_part_of_root(const map_of_unknowns& f, const std::vector<number>& guess,
-                                                  long digits, const std::vector<std::string>& names) {
+std::vector<known_value> proved_part_of_root(const map_of_unknowns& f, const std::vector<number>& guess, long digits,
+                                             const std::vector<std::string>& names) {
     return root_search(f, guess, digits, names, zero_values::bounded).result();
 }
 

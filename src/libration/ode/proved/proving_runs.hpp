@@ -132,6 +132,7 @@ private:
     bool complete() {
         std::optional<proved_march> march;
         bool forward = true;
+        long steps = 0;  // before those of `march`
         std::optional<std::size_t> at_zero;
         for (const asked_time& each : order_) {
             if (done_[each.index] || ended_[each.forward ? 1 : 0]) {
@@ -139,6 +140,7 @@ private:
             }
             auto state = state_in_closed_form(each.index);
             if (!state && (!march || each.forward != forward)) {
+                steps += march ? march->steps() : 0;
                 forward = each.forward;
                 march.emplace(system_, bits_.now(), watch_, error_bits_, route_);
                 march->observe(observer_);
@@ -161,7 +163,7 @@ private:
                 return false;
             }
             const bool answered = !further_.answered || further_.answered(*march, each.index, *state);
-            if (!decided(each.index)) {
+            if (!all_have_digits(part_.states[each.index])) {
                 at_zero = at_zero.value_or(each.index);
                 continue;
             }
@@ -172,7 +174,7 @@ private:
             }
             done_[each.index] = true;
         }
-        return !at_zero || given_up(*at_zero);
+        return !at_zero || given_up(*at_zero, steps + (march ? march->steps() : 0));
     }
 
     // Without steps: the initial values of a constant solution, and the exponential of the matrix of a linear system; no
@@ -218,8 +220,7 @@ private:
             if (state[k].decimal) {
                 continue;
             }
-            state[k].decimal = to_proved_decimal(values[k], digits_);
-            state[k].bound = state[k].decimal ? "" : bound_text(values[k]);
+            improve(state[k], values[k], digits_);
             if (!state[k].decimal && !contains_zero(values[k])) {
                 too_wide = &values[k];
             }
@@ -230,22 +231,13 @@ private:
         return too_wide == nullptr;
     }
 
-    bool decided(std::size_t index) const {
-        return std::ranges::all_of(part_.states[index], [](const trajectory_value& each) { return !!each.decimal; });
-    }
-
-    // Whether no more runs are tried for values that contain 0.
-    bool given_up(std::size_t index) {
-        if (bits_.raised_at_zero("time", text_of(index))) {
+    // Whether no more runs are tried for values that contain 0, after one of so many steps.
+    bool given_up(std::size_t index, long steps) {
+        if (bits_.raised_at_zero(steps, "time", text_of(index))) {
             return false;
         }
-        const auto& state = part_.states[index];
-        const auto zero = std::ranges::find_if(state, [](const trajectory_value& each) { return !each.decimal; });
-        const auto k = static_cast<std::size_t>(zero - state.begin());
-        const std::string name = names_of_state(system_)[further_.places.empty() ? k : further_.places[k]];
         miss(error(error_kind::undecided, "time", text_of(index),
-                   "has a value of " + name + " that " + std::to_string(bits_.now()) +
-                       " bits do not distinguish from 0: |" + name + "| < " + zero->bound));
+                   text_of_undecided(asked_of(names_of_state(system_)), part_.states[index], bits_.now())));
         return true;
     }
 
@@ -255,11 +247,13 @@ private:
         }
     }
 
-    std::vector<ball> asked_of(const std::vector<ball>& state) const {
+    // Of all values of a state, or all their names.
+    template <class Value>
+    std::vector<Value> asked_of(const std::vector<Value>& state) const {
         if (further_.places.empty()) {
             return state;
         }
-        std::vector<ball> asked;
+        std::vector<Value> asked;
         for (const std::size_t place : further_.places) {
             asked.push_back(state[place]);
         }
@@ -308,7 +302,7 @@ inline std::vector<std::vector<proved_decimal>> all_digits(const partial_traject
     std::vector<std::vector<proved_decimal>> result;
     for (const auto& state : of.states) {
         auto& row = result.emplace_back();
-        for (const trajectory_value& each : state) {
+        for (const known_value& each : state) {
             row.push_back(each.decimal.value());
         }
     }

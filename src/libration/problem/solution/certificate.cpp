@@ -74,8 +74,12 @@ std::vector<ode::decimal_interval> all_zeros(const ode::explicit_system& system,
         }
     });
     std::vector<ode::decimal_interval> zeros;
-    for (const ode::printed_event& each : report.events) {
-        zeros.push_back(ode::within_one_unit(each.time.text, digits));
+    for (const ode::known_event& each : report.events) {
+        if (!each.time.decimal) {
+            throw error(error_kind::undecided, "certificate", "",
+                        "does not contain an event at a time that is not distinguished from 0");
+        }
+        zeros.push_back(ode::within_one_unit(each.time.decimal->text, digits));
     }
     return zeros;
 }

@@ -10,6 +10,7 @@
 #include "libration/ode/proved/proved_root.hpp"
 #include "libration/ode/proved/solution_branch.hpp"
 #include "libration/problem/known_facts.hpp"
+#include "libration/problem/proved_answer.hpp"
 
 namespace libration {
 
@@ -108,10 +109,6 @@ std::string reason_of_end(ode::branch_end end, const std::string& where) {
     throw std::logic_error("an end without a reason");
 }
 
-answer_value answer_of_value(const ode::trajectory_value& x) {
-    return x.decimal ? answer_value{x.decimal->text, x.decimal->uncertainty} : answer_value{"", x.bound};
-}
-
 std::optional<error> reason_of_missing(const ode::branch_result& result) {
     if (!result.unproved.empty()) {
         return error(error_kind::undecided, "branch", "",
@@ -130,7 +127,7 @@ answer branch_by(const ode::branch_question& question, const request& how, const
     const auto add = [&](const ode::branch_point& point) {
         auto& row = result.rows.emplace_back();
         row.push_back(text_value(name_of_point(point.kind)));
-        std::ranges::transform(point.values, std::back_inserter(row), answer_of_value);
+        std::ranges::transform(point.values, std::back_inserter(row), value_in_answer);
         if (how.progress) {
             how.progress(0);  // the number of points is not known
         }

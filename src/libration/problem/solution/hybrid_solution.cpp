@@ -11,6 +11,7 @@
 #include "libration/ode/hybrid/proved/hybrid_trajectory.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/ode/trajectory.hpp"
+#include "libration/problem/proved_answer.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/text/decimal.hpp"
 
@@ -93,7 +94,7 @@ answer hybrid_solution::proved_states(const std::vector<ode::number>& times, con
     const long digits = how.printed_digits();
     ode::proof_route route;
     route.integrator = how.integrator;
-    auto found = ode::proved_part_of_hybrid(system_, times, digits, watch_of(system_, times, how), route);
+    const auto found = ode::proved_part_of_hybrid(system_, times, digits, watch_of(system_, times, how), route);
     if (how.check) {
         ode::proof_route second = ode::proof_route::second();
         second.integrator = how.integrator;
@@ -109,16 +110,7 @@ answer hybrid_solution::proved_states(const std::vector<ode::number>& times, con
             }
         }
     }
-    answer result{.names = quantities(), .rows = {}, .rigour = "proved"};
-    for (const auto& state : found.states) {
-        auto& row = result.rows.emplace_back();
-        for (const ode::trajectory_value& each : state) {
-            row.push_back(each.decimal ? answer_value{each.decimal->text, each.decimal->uncertainty}
-                                       : answer_value{"", each.bound});
-        }
-    }
-    result.missing = std::move(found.missing);
-    return result;
+    return answer_of(quantities(), found);
 }
 
 answer hybrid_solution::rounded_states(const std::vector<ode::number>& times, const request& how) const {
@@ -143,18 +135,7 @@ answer hybrid_solution::limits(const request& /*how*/) const {
 
 answer hybrid_solution::events(const std::string& condition, long count, const request& how) const {
     const ode::event_request asked{.g = ode::parse_condition(equations_, condition), .count = count};
-    auto found = ode::searched_hybrid_events(system_, asked, how.printed_digits());
-    answer result{.names = quantities(), .rows = {}, .rigour = "proved"};
-    result.names.insert(result.names.begin(), "time");
-    for (const ode::printed_event& event : found.events) {
-        auto& row = result.rows.emplace_back();
-        row.push_back({event.time.text, event.time.uncertainty});
-        for (const proved_decimal& value : event.values) {
-            row.push_back({value.text, value.uncertainty});
-        }
-    }
-    result.missing = std::move(found.missing);
-    return result;
+    return answer_of(quantities(), ode::searched_hybrid_events(system_, asked, how.printed_digits()));
 }
 
 namespace {

@@ -18,6 +18,7 @@
 #include "libration/ode/step.hpp"
 #include "libration/ode/trajectory.hpp"
 #include "libration/problem/known_facts.hpp"
+#include "libration/problem/proved_answer.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/text/decimal.hpp"
 
@@ -32,8 +33,6 @@ std::vector<ode::number> numbers_of(const std::vector<exact>& times) {
     std::ranges::transform(times, std::back_inserter(at), time_of_problem);
     return at;
 }
-
-answer_value value_of(const proved_decimal& number) { return {number.text, number.uncertainty}; }
 
 // The part of the interval from the initial point to the farthest time that has been integrated.
 class part_of_way {
@@ -183,22 +182,13 @@ answer taylor_solution::proved_states(const std::vector<exact>& times, const req
     const part_of_way part(system_, numbers_of(times), how);
     ode::proof_route route;
     route.integrator = how.integrator;
-    auto found = proved_part(
+    const auto found = proved_part(
         times, how, how.printed_digits(), [&](const ball& reached, long bits) { part(reached, bits); }, route,
         how.observer);
     if (how.check) {
         require_second_proof(times, how, found);
     }
-    answer result{.names = names_of_states(how), .rows = {}, .rigour = "proved"};
-    for (const auto& state : found.states) {
-        auto& row = result.rows.emplace_back();
-        for (const ode::trajectory_value& each : state) {
-            row.push_back(each.decimal ? value_of(*each.decimal) : answer_value{"", each.bound});
-        }
-    }
-    result.missing = std::move(found.missing);
-    result.collocation = std::move(found.collocation);
-    return result;
+    return answer_of(names_of_states(how), found);
 }
 
 answer taylor_solution::rounded_states(const std::vector<exact>& times, const request& how) const {
@@ -239,11 +229,10 @@ std::vector<std::string> taylor_solution::drifts(const std::vector<exact>& times
 }
 
 answer taylor_solution::limits(const request& how) const {
-    answer result{.names = quantities(), .rows = {{}}, .rigour = "proved"};
-    auto& row = result.rows.front();
     if (const auto known = limits_by_lemma(equations_, how.printed_digits())) {
+        answer result{.names = quantities(), .rows = {{}}, .rigour = "proved"};
         for (const proved_decimal& each : *known) {
-            row.push_back({each.text, each.uncertainty});
+            result.rows.front().push_back({each.text, each.uncertainty});
         }
         return result;
     }
@@ -254,30 +243,14 @@ answer taylor_solution::limits(const request& how) const {
     };
     ode::proof_route route;
     route.integrator = how.integrator;
-    auto found = ode::limit_at_equilibrium(system_, how.printed_digits(), watch, route);
-    for (const ode::trajectory_value& each : found.states.front()) {
-        row.push_back(each.decimal ? answer_value{each.decimal->text, each.decimal->uncertainty}
-                                   : answer_value{"", each.bound});
-    }
-    result.missing = std::move(found.missing);
-    return result;
+    return answer_of(quantities(), ode::limit_at_equilibrium(system_, how.printed_digits(), watch, route));
 }
 
 answer taylor_solution::events(const std::string& condition, long count, const request& how) const {
     const ode::event_request asked{.g = ode::parse_condition(equations_, condition), .count = count};
     ode::proof_route route;
     route.integrator = how.integrator;
-    auto found = ode::searched_events(system_, asked, how.printed_digits(), route);
-    answer result{.names = quantities(), .rows = {}, .rigour = "proved"};
-    result.names.insert(result.names.begin(), "time");
-    for (const ode::printed_event& event : found.events) {
-        auto& row = result.rows.emplace_back();
-        row.push_back(value_of(event.time));
-        std::ranges::transform(event.values, std::back_inserter(row), value_of);
-    }
-    result.missing = std::move(found.missing);
-    result.collocation = std::move(found.collocation);
-    return result;
+    return answer_of(quantities(), ode::searched_events(system_, asked, how.printed_digits(), route));
 }
 
 }  // namespace libration

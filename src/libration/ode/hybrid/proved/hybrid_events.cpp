@@ -2,7 +2,7 @@
 #include <string>
 #include <utility>
 
-#include "../../proved/needed_bits.hpp"
+#include "../../proved/event_list.hpp"
 #include "libration/ode/hybrid/proved/hybrid_trajectory.hpp"
 #include "path_limits.hpp"
 
@@ -18,110 +18,68 @@ public:
           request_(request),
           route_(route),
           watch_(watch),
-          bits_(digits),
-          most_undecided_(most_bits_of_undecided(bits_)) {}
+          most_undecided_(most_bits_of_undecided(needed_bits(digits))),
+          list_(names_of_state(system), request.count, digits, most_undecided_) {}
 
     event_report result() {
-        try {
-            while (!complete()) {
-            }
-        } catch (const error& problem) {
-            if (problem.kind() != error_kind::undecided) {
-                throw;
-            }
-            return {std::move(known_), problem};
-        }
-        return {std::move(known_), std::nullopt};
+        return list_.of_runs([this] { return steps_of_run(); });
     }
 
 private:
-    bool complete() {
-        events_.clear();
-        const auto watch = [this](const ball& reached, long bits) {
-            if (watch_) {
-                watch_(reached, bits, known_);
-            }
+    // One run, and the number of its steps.
+    long steps_of_run() {
+        long steps = 0;
+        const auto watch = [&](const ball& reached, long bits) {
+            ++steps;
+            tell(reached, bits);
         };
-        hybrid_path path(system_, bits_.now(), route_, watch, &request_.g, request_.way);
-        const precision_scope scope(decimal_digits(bits_.now()) + 10);
-        while (static_cast<long>(events_.size()) < request_.count) {
-            const auto event =
-                path.next_observed(request_.before, request_.horizon.value_or(event_search::usual_horizon));
+        hybrid_path path(system_, list_.bits(), route_, watch, &request_.g, request_.way);
+        const precision_scope scope(decimal_digits(list_.bits()) + 10);
+        while (list_.continues()) {
+            const auto event = path.next_observed(request_.before, horizon());
             if (!event) {
-                require_more_bits(path);
-                return false;
+                continue_beyond(path);
+            } else if (!request_.before || is_before_end(*event)) {
+                list_.add(event->time, event->state);
+                tell(event->time, list_.bits());
             }
-            if (!taken(*event)) {
-                return false;
-            }
-            watch(event->time, bits_.now());
         }
-        return true;
+        return steps;
     }
 
-    std::string name_of_next() const { return std::to_string(events_.size() + 1); }
-
-    void require_more_bits(const hybrid_path& path) {
-        const auto refused = [&](const std::string& reason) {
-            throw error(error_kind::undecided, "event", name_of_next(), reason);
-        };
-        if (path.end() == path_end::time) {
-            refused("is not found before that time: " + std::to_string(events_.size()) + " were found");
+    void tell(const ball& reached, long bits) const {
+        if (watch_) {
+            watch_(reached, bits, list_.known());
         }
-        if (path.end() == path_end::horizon) {
-            refused("is not found within " + std::to_string(request_.horizon.value_or(event_search::usual_horizon)) +
-                    " steps " + events_text(path) + ": give an end of the search, or a larger horizon");
-        }
-        raise_path_bits(bits_, path, most_undecided_, "event", name_of_next());
     }
 
-    // Prints the event; false, with more bits requested, if digits are missing.
-    bool taken(const path_event& event) {
-        if (request_.before && !is_before_end(event)) {
-            return false;
-        }
-        printed_event made;
-        std::vector<ball> values = event.state;
-        values.insert(values.begin(), event.time);
-        for (const ball& value : values) {
-            auto decimal = bits_.printed(value, "event", name_of_next());
-            if (!decimal) {
-                return false;
-            }
-            made.values.push_back(*std::move(decimal));
-        }
-        made.time = made.values.front();
-        made.values.erase(made.values.begin());
-        events_.push_back(std::move(made));
-        if (events_.size() > known_.size()) {
-            known_.push_back(events_.back());
-        }
-        return true;
-    }
+    long horizon() const { return request_.horizon.value_or(event_search::usual_horizon); }
 
     bool is_before_end(const path_event& event) {
-        if (event.exactly
-                ? (*request_.before - *event.exactly).sign() >= 0
-                : arb_is_nonnegative(ball(constant_value<ball>::of(*request_.before) - event.time).handle()) != 0) {
-            return true;
+        const bool exactly = event.exactly && (*request_.before - *event.exactly).sign() >= 0;
+        return exactly || list_.is_before(*request_.before, event.time, 1);
+    }
+
+    // After a search that did not find the next event: with more bits, if they help.
+    void continue_beyond(const hybrid_path& path) {
+        if (path.end() == path_end::time) {
+            list_.end("is not found before that time: " + std::to_string(list_.found()) + " were found");
+        } else if (path.end() == path_end::horizon) {
+            list_.end("is not found within " + std::to_string(horizon()) + " steps " + events_text(path) +
+                      ": give an end of the search, or a larger horizon");
+        } else if (const auto reason = reason_of_end(path, most_undecided_)) {
+            list_.end(*reason);
+        } else {
+            list_.repeat();
         }
-        if (2 * bits_.now() > most_undecided_) {
-            throw error(error_kind::undecided, "event", name_of_next(),
-                        "lies in " + bounds_text(event.time) + ", which " + std::to_string(bits_.now()) +
-                            " bits do not distinguish from the end of the search");
-        }
-        bits_.raise_to(2 * bits_.now(), "event", name_of_next());
-        return false;
     }
 
     const hybrid_system& system_;
     const event_request& request_;
     const proof_route& route_;
     const event_watch& watch_;
-    std::vector<printed_event> events_;  // of this run
-    std::vector<printed_event> known_;   // of the run that found the most
-    needed_bits bits_;
     long most_undecided_;
+    event_list list_;
 };
 
 }  // namespace

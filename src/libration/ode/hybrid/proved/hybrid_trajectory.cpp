@@ -63,7 +63,13 @@ public:
 
 private:
     bool complete() {
-        hybrid_path path(system_, bits_.now(), route_, watch_);
+        long steps = 0;
+        hybrid_path path(system_, bits_.now(), route_, [&](const ball& reached, long bits) {
+            ++steps;
+            if (watch_) {
+                watch_(reached, bits);
+            }
+        });
         const precision_scope scope(decimal_digits(bits_.now()) + 10);
         std::optional<std::size_t> at_zero;
         for (const std::size_t index : order_) {
@@ -78,11 +84,11 @@ private:
             if (!proved(index, *state, path.at_event())) {
                 return false;
             }
-            if (!decided(index) && !done_[index]) {
+            if (!all_have_digits(part_.states[index]) && !done_[index]) {
                 at_zero = at_zero.value_or(index);
             }
         }
-        return !at_zero || given_up(*at_zero);
+        return !at_zero || given_up(*at_zero, steps);
     }
 
     // The digits of the values, or bounds; false if one that excludes 0 needs more bits.
@@ -93,8 +99,7 @@ private:
             if (state[k].decimal) {
                 continue;
             }
-            state[k].decimal = to_proved_decimal(values[k], digits_);
-            state[k].bound = state[k].decimal ? "" : bound_text(values[k]);
+            improve(state[k], values[k], digits_);
             if (!state[k].decimal && at_event && 2 * bits_.now() > most_undecided_) {
                 jumps(index, values[k]);
             } else if (!state[k].decimal && (at_event || !contains_zero(values[k]))) {
@@ -116,21 +121,12 @@ private:
         }
     }
 
-    bool decided(std::size_t index) const {
-        return std::ranges::all_of(part_.states[index], [](const trajectory_value& each) { return !!each.decimal; });
-    }
-
-    bool given_up(std::size_t index) {
-        if (bits_.raised_at_zero("time", text_of_time(times_[index]))) {
+    bool given_up(std::size_t index, long steps) {
+        if (bits_.raised_at_zero(steps, "time", text_of_time(times_[index]))) {
             return false;
         }
-        const auto& state = part_.states[index];
-        const auto zero = std::ranges::find_if(state, [](const trajectory_value& each) { return !each.decimal; });
-        const expression& leaf = system_.leaves()[static_cast<std::size_t>(zero - state.begin())];
-        const std::string name = primed(leaf.name(), leaf.derivative());
         part_.missing = error(error_kind::undecided, "time", text_of_time(times_[index]),
-                              "has a value of " + name + " that " + std::to_string(bits_.now()) +
-                                  " bits do not distinguish from 0: |" + name + "| < " + zero->bound);
+                              text_of_undecided(names_of_state(system_), part_.states[index], bits_.now()));
         return true;
     }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 #include "../../proved/needed_bits.hpp"
@@ -25,19 +26,14 @@ inline std::string events_text(const hybrid_path& path) {
     return count + to_decimal(midpoint_of(path.last_event()), 12);
 }
 
-// The bits of the next run of a path that ended; throws if more bits do not help.
-inline void raise_path_bits(needed_bits& bits, const hybrid_path& path, long most_undecided, const std::string& subject,
-                            const std::string& value) {
-    const auto refused = [&] {
-        throw error(error_kind::undecided, subject, value,
-                    "is not reached: " + events_text(path) + ", " + path.reason());
-    };
+// Why more bits do not help at the end of a path; std::nullopt if they may.
+inline std::optional<std::string> reason_of_end(const hybrid_path& path, long most_undecided) {
     switch (path.end()) {
         case path_end::none:
-        case path_end::precision: break;
+        case path_end::precision: return std::nullopt;
         case path_end::undecided:
-            if (2 * bits.now() > most_undecided) {
-                refused();
+            if (2 * path.bits() <= most_undecided) {
+                return std::nullopt;
             }
             break;
         case path_end::time:
@@ -45,7 +41,16 @@ inline void raise_path_bits(needed_bits& bits, const hybrid_path& path, long mos
         case path_end::stop:
         case path_end::steps:
         case path_end::sliding:
-        case path_end::accumulation: refused();
+        case path_end::accumulation: break;
+    }
+    return "is not reached: " + events_text(path) + ", " + path.reason();
+}
+
+// The bits of the next run of a path that ended; throws if more bits do not help.
+inline void raise_path_bits(needed_bits& bits, const hybrid_path& path, long most_undecided, const std::string& subject,
+                            const std::string& value) {
+    if (const auto reason = reason_of_end(path, most_undecided)) {
+        throw error(error_kind::undecided, subject, value, *reason);
     }
     bits.raise_to(2 * bits.now(), subject, value);
 }

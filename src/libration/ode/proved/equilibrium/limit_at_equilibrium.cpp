@@ -31,7 +31,7 @@ public:
         }
     }
 
-    std::vector<trajectory_value> values() {
+    std::vector<known_value> values() {
         for (long bits = first_bits_of_states; bits <= most_bits_of_states; bits *= 2) {
             if (auto found = along_the_solution(bits)) {
                 return *found;
@@ -42,7 +42,7 @@ public:
 
 private:
     // std::nullopt if more bits are needed.
-    std::optional<std::vector<trajectory_value>> along_the_solution(long bits) {
+    std::optional<std::vector<known_value>> along_the_solution(long bits) {
         proved_march march(system_, bits, watch_, proved_march::usual_error_bits, route_);
         rational distance = 1;
         for (int k = 0; k <= last_power_of_time; ++k, distance *= 2) {
@@ -62,7 +62,7 @@ private:
         throw no_limit(not_approached("later times were not tried"));
     }
 
-    std::optional<std::vector<trajectory_value>> ended(const proved_march& march) const {
+    std::optional<std::vector<known_value>> ended(const proved_march& march) const {
         if (march.end() == march_end::precision) {
             return std::nullopt;
         }
@@ -70,8 +70,8 @@ private:
                        proved_reach_text(march.reached(), true) + ", and no further step is proved");
     }
 
-    std::optional<std::vector<trajectory_value>> limit_from(const std::vector<ball>& state) const {
-        std::optional<std::vector<trajectory_value>> best;
+    std::optional<std::vector<known_value>> limit_from(const std::vector<ball>& state) const {
+        std::optional<std::vector<known_value>> best;
         long bits = bits_of_digits(digits_) + first_guard_bits;
         for (int k = 0; k < most_runs_at_zero; ++k, bits *= 2) {
             const precision_scope scope(decimal_digits(bits));
@@ -81,18 +81,17 @@ private:
                 return best;
             }
             best = printed(field_.state_of(*zero));
-            if (std::ranges::all_of(*best, [](const trajectory_value& each) { return !!each.decimal; })) {
+            if (all_have_digits(*best)) {
                 return best;
             }
         }
         return best;
     }
 
-    std::vector<trajectory_value> printed(const std::vector<ball>& values) const {
-        std::vector<trajectory_value> result;
+    std::vector<known_value> printed(const std::vector<ball>& values) const {
+        std::vector<known_value> result;
         for (const ball& each : values) {
-            auto decimal = to_proved_decimal(each, digits_);
-            result.push_back({decimal, decimal ? "" : bound_text(each)});
+            improve(result.emplace_back(), each, digits_);
         }
         return result;
     }
@@ -126,7 +125,7 @@ partial_trajectory limit_at_equilibrium(const explicit_system& system, long digi
             state[each.leaves[k]] = part[k];
         }
     }
-    const auto zero = std::ranges::find_if(state, [](const trajectory_value& each) { return !each.decimal; });
+    const auto zero = std::ranges::find_if(state, [](const known_value& each) { return !each.decimal; });
     if (zero != state.end()) {
         const std::string name = names_of_state(system)[static_cast<std::size_t>(zero - state.begin())];
         whole.missing =

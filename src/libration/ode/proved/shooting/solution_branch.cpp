@@ -24,16 +24,16 @@ double rough_value(const number& x) {
     return midpoint_of(constant_value<ball>::of(x)).convert_to<double>();
 }
 
-double rough_value(const trajectory_value& x) {
+double rough_value(const known_value& x) {
     const precision_scope scope(20);
     return x.decimal ? from_exact<mpfr>(read_exact(x.decimal->text)).convert_to<double>() : 0;
 }
 
 number exact_guess(double x) { return number(rational(x)); }
 
-std::vector<double> rough_values(const std::vector<trajectory_value>& values) {
+std::vector<double> rough_values(const std::vector<known_value>& values) {
     std::vector<double> result;
-    for (const trajectory_value& each : values) {
+    for (const known_value& each : values) {
         result.push_back(rough_value(each));
     }
     return result;
@@ -121,7 +121,7 @@ private:
     }
 
     // The solution at a value of the parameter near a first guess.
-    std::vector<trajectory_value> proved_at(const std::string& value, const std::vector<number>& guess) const {
+    std::vector<known_value> proved_at(const std::string& value, const std::vector<number>& guess) const {
         const shooting fixed(changed_to(value), names_, question_.conditions, route_, watch_);
         return proved_part_of_root(
             [&](const std::vector<ball>& x, long bits, long error_bits) { return fixed(x, bits, error_bits); }, guess,
@@ -134,7 +134,7 @@ private:
     }
 
     // A solution at a value of the parameter, which is exact.
-    void report(const branch_value& value, const std::vector<trajectory_value>& unknowns) {
+    void report(const branch_value& value, const std::vector<known_value>& unknowns) {
         const precision_scope scope(question_.digits + 20);
         const auto x = constant_value<ball>::of(parse_constant(value.text).constant());
         branch_point point{branch_point_kind::solution, {{to_proved_decimal(x, question_.digits), ""}}};

@@ -1,0 +1,46 @@
+#include "libration/problem/proved_answer.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "libration/ode/proved/proved_events.hpp"
+#include "libration/ode/proved/proved_trajectory.hpp"
+
+namespace libration {
+
+namespace {
+
+constexpr const char* proved = "proved";
+
+}  // namespace
+
+answer_value value_in_answer(const ode::known_value& value) {
+    return value.decimal ? answer_value{value.decimal->text, value.decimal->uncertainty}
+                         : answer_value{"", value.bound};
+}
+
+answer answer_of(std::vector<std::string> names, const ode::partial_trajectory& found) {
+    answer result{.names = std::move(names), .rows = {}, .rigour = proved};
+    for (const auto& state : found.states) {
+        std::ranges::transform(state, std::back_inserter(result.rows.emplace_back()), value_in_answer);
+    }
+    result.missing = found.missing;
+    result.collocation = found.collocation;
+    return result;
+}
+
+answer answer_of(const std::vector<std::string>& quantities, const ode::event_report& found) {
+    answer result{.names = {"time"}, .rows = {}, .rigour = proved};
+    result.names.insert(result.names.end(), quantities.begin(), quantities.end());
+    for (const ode::known_event& event : found.events) {
+        auto& row = result.rows.emplace_back();
+        row.push_back(value_in_answer(event.time));
+        std::ranges::transform(event.values, std::back_inserter(row), value_in_answer);
+    }
+    result.missing = found.missing;
+    result.collocation = found.collocation;
+    return result;
+}
+
+}  // namespace libration
