@@ -230,11 +230,11 @@ std::vector<std::string> taylor_solution::drifts(const std::vector<exact>& times
 
 answer taylor_solution::limits(const request& how) const {
     if (const auto known = limits_by_lemma(equations_, how.printed_digits())) {
-        answer result{.names = quantities(), .rows = {{}}, .rigour = "proved"};
+        ode::partial_trajectory found{.states = {{}}, .missing = {}};
         for (const proved_decimal& each : *known) {
-            result.rows.front().push_back({each.text, each.uncertainty});
+            found.states.front().push_back({each, ""});
         }
-        return result;
+        return answer_of(quantities(), found);
     }
     const auto watch = [&](const ball& reached, long bits) {
         if (how.reached) {
