@@ -210,6 +210,13 @@ int libration_problem_event_certificate(const libration_problem *problem, const 
  * the number of these is not known before; not in a proof by a lemma. */
 int libration_problem_find(const libration_problem *problem, const char *unknowns, const char *conditions, long digits,
                            libration_watch watch, void *context, libration_table **values);
+/* The same for one unknown and one condition "f'(5) = 1" at a time that is a fraction, and in the file `path` a
+ * certificate, from which check/libration_check.py proves that a number within one unit of the last digit satisfies the
+ * condition. UNDECIDED without a file if that is not proved by the steps of a certificate; ARGUMENT if the format does
+ * not contain the problem or the condition. */
+int libration_problem_find_certificate(const libration_problem *problem, const char *unknown, const char *condition,
+                                       long digits, const char *path, libration_watch watch, void *context,
+                                       libration_table **values);
 /* The periodic orbit near the initial values of an autonomous problem, proved: name, value of the unknowns and their
  * lower derivatives on a section, and of the period. The callback is called in integrations, with 0. */
 int libration_problem_orbit(const libration_problem *problem, long digits, libration_watch watch, void *context,

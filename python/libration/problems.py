@@ -259,12 +259,23 @@ class Problem:
         approaches, or by a lemma on the problem. Raises UndecidedError if neither is found."""
         return Table._of(self._problem.limits(digits))[0]
 
-    def find(self, unknowns: str | Sequence[str], such_that: str | Sequence[str], digits: int = 50) -> dict[str, Ball]:
+    def find(
+        self,
+        unknowns: str | Sequence[str],
+        such_that: str | Sequence[str],
+        digits: int = 50,
+        certificate: str | PathLike[str] | None = None,
+    ) -> dict[str, Ball]:
         """The parameters or initial values "k", ["k", "f''(0)"] for which as many conditions "f'(5) = 1" hold, near the
         values that the problem has, each digit proved. A condition at infinity, "f'(inf) = 1", is decided by a lemma
-        about a problem of the catalogue; UndecidedError without one."""
+        about a problem of the catalogue; UndecidedError without one.
+
+        certificate is the path of a file from which check() proves again, in integers, that there is such a number within
+        one unit of the last digit: for one unknown and one condition at a time that is a fraction."""
         names = unknowns if isinstance(unknowns, str) else ", ".join(unknowns)
         conditions = such_that if isinstance(such_that, str) else "; ".join(such_that)
+        if certificate is not None:
+            return _values(Table._of(self._problem.find_certificate(names, conditions, digits, fspath(certificate))))
         return _values(Table._of(self._problem.find(names, conditions, digits)))
 
     def orbit(self, digits: int = 50) -> dict[str, Ball]:

@@ -160,6 +160,9 @@ def test_certificates(tmp_path):
     zero = p.events("x = 1", digits=12, certificate=str(file))
     assert near(zero["time"][0], mpmath.pi / 4, 12)
     assert "#1 lies in [0.785398163397" in lb.check(str(file))
+    p.find("a", "x(1/2) = 1", 10, certificate=file)
+    assert "equal to it" in lb.check(file)
+    p.events("x = 1", digits=12, certificate=str(file))
     changed = zlib.decompress(file.read_bytes()).replace(b"start 0", b"start 1/9")
     file.write_bytes(zlib.compress(changed))
     with pytest.raises(lb.UndecidedError, match="start or joint"):

@@ -269,6 +269,28 @@ TEST_CASE("a certificate of proved values is checked by another program", "[c][c
     CHECK(none == nullptr);
 }
 
+// x(1) = cos(1)/2 + s sin(1) = 1 for s = (1 - cos(1)/2)/sin(1).
+TEST_CASE("a certificate of a root is checked by another program", "[c][certificate]") {
+    const libration::tests::temporary_folder folder;
+    const std::string file = (folder.path() / "a.cert").string();
+    const auto spring = problem_of("x'' = -x; x(0) = 1/2; x'(0) = 1");
+    const auto root = made<table>([&](auto** to) {
+        return libration_problem_find_certificate(spring.get(), "x'(0)", "x(1) = 1", 12, file.c_str(), nullptr, nullptr,
+                                                  to);
+    });
+    CHECK(agrees(cell(root, 0, 1), "0.86734879781095586", 12));
+    const auto proved = libration::tests::checked(file);
+    INFO(proved.out);
+    CHECK(proved.exit_code == 0);
+    CHECK(libration::tests::contains(proved.out, "has x(1) equal to it."));
+    libration_table* none = nullptr;
+    CHECK(libration_problem_find_certificate(spring.get(), "x'(0)", "x(1) + x'(1) = 1", 12, file.c_str(), nullptr,
+                                             nullptr, &none) == LIBRATION_ARGUMENT);
+    CHECK(libration_problem_find_certificate(spring.get(), "x'(0), x(0)", "x(1) = 1", 12, file.c_str(), nullptr,
+                                             nullptr, &none) == LIBRATION_ARGUMENT);
+    CHECK(none == nullptr);
+}
+
 // x' = 1 + x^2: the tangent, from any start, up to its pole. Doubles: some operations per step, few steps.
 TEST_CASE("solutions in double are those of the tangent", "[c]") {
     constexpr double tolerance = 1000 * std::numeric_limits<double>::epsilon();

@@ -208,6 +208,7 @@ def made_certificates():
     yield "a moving V", exponential(Fraction(1, 4), (unit, 5 * unit), 1, "-100 100", "V 1\n4 -1", "U 1\n1")
     known = exponential(Fraction(1, 4), (unit, 5 * unit), claim="-100 100")
     yield "a function that is not known", known.replace("start 1", "start tan(1)")
+    yield "a function that is not known, of a constant", constant("tan(1)", "exp(y)", 2)
     yield "the inverse of 0", constant("pi - pi", "1/y", 900)
     yield "two meanings of a name", constant("1", "1/y").replace("variable t", "variable y")
     yield "the variable for an unknown", with_time_for_unknown()

@@ -8,6 +8,7 @@
 #include "guarded.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/problem/certificate.hpp"
+#include "libration/problem/find.hpp"
 #include "libration/problem/solution.hpp"
 #include "libration/scalar/text/given_number.hpp"
 
@@ -58,6 +59,18 @@ void write_file(const std::string& path, const std::string& content) {
     }
 }
 
+// Of one unknown and one condition. How many integrations there are is not known: the part that is done is always 0.
+libration_table certified_root(const libration_problem& p, const std::string& unknown, const std::string& condition,
+                               long digits, const std::string& file, const watcher& watch) {
+    const problem of(p.equations);
+    request how = proved_digits(given_digits(digits));
+    how.reached = [watch](double /*time*/, long /*bits*/) { watch(0.0); };
+    auto found = table_of_values(find_unknowns(of, {unknown}, {condition}, how));
+    const std::string decimal = found.cells.back().number.decimal;
+    write_file(file, certificate_of_root(of, unknown, condition, decimal, how));
+    return found;
+}
+
 }  // namespace
 
 }  // namespace libration::c
@@ -100,5 +113,14 @@ int libration_problem_event_certificate(const libration_problem* problem, const 
         const auto rows = decimals_of(table, 0, digits);
         write_file(file, certificate_of_events(p.system, ode::parse_condition(p.equations, text), 0, rows, how));
         return table;
+    });
+}
+
+int libration_problem_find_certificate(const libration_problem* problem, const char* unknown, const char* condition,
+                                       long digits, const char* path, libration_watch watch, void* context,
+                                       libration_table** values) {
+    return made(values, [&] {
+        return certified_root(given(problem, "problem"), text_of(unknown, "unknown"), text_of(condition, "condition"),
+                              digits, text_of(path, "path"), watcher(watch, context));
     });
 }
