@@ -70,8 +70,6 @@ ARGUED = {
         "a frame has been found wherever Newton's method converged; without one the step is halved",
     (FLOW, "if (problem.kind() != error_kind::argument) {"):
         "the names that are asked for alone make the opening fail; another failure has to pass",
-    (FLOW, 'kept.bound = kept.decimal || !is_finite(value) ? "" : bound_text(value);'):
-        "an infinite map ends the march before; kept, because infinity has no text as a bound",
     (DISC, "if (!set_tail_) {"): "a set without values is seen before; kept, because no radius is no disc",
     (DISC, "if (!tail_) {"): "the centre lies in the set, whose radius holds; kept, because no bound is no proof",
     (CONDITIONS, "if (!is_finite(moved)) {"):
