@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "collocation_control.hpp"
 #include "collocation_solver.hpp"
+#include "control/collocation_control.hpp"
 #include "libration/ode/ball/step_pieces.hpp"
 
 namespace libration::ode {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "collocation_control.hpp"
+#include "control/collocation_control.hpp"
 #include "libration/ode/ball/step_pieces.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 

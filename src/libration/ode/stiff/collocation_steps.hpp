@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "../rigorous/collocation_control.hpp"
+#include "../rigorous/control/collocation_control.hpp"
 #include "../rigorous/stiff_guide.hpp"
 #include "libration/ode/first_order_form.hpp"
 #include "libration/scalar/scalar.hpp"
