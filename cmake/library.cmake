@@ -40,7 +40,7 @@ endif()
 file(GLOB_RECURSE library_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/libration/*.cpp)
 set(proved_sources ${library_sources})
 # The known facts about problems and their solutions need FLINT behind a header that does not.
-set(proved_folders "/(ball|proved|rigorous)/|/problem/(known|solution)/")
+set(proved_folders "/(ball|proved|rigorous|stiff)/|/problem/(known|solution)/")
 list(FILTER proved_sources INCLUDE REGEX "${proved_folders}")
 list(FILTER library_sources EXCLUDE REGEX "${proved_folders}")
 set(vector_sources ${library_sources})

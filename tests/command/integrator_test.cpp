@@ -39,6 +39,25 @@ TEST_CASE("the use of collocation is stated on stderr", "[command][reference]") 
     CHECK(contains(trajectory.err, "from t = 0 to 3: "));
 }
 
+TEST_CASE("rounded trajectories of stiff equations are integrated by collocation, which is not called a proof",
+          "[command][trajectory]") {
+    const words robertson{"trajectory", "--problem", "robertson", "--times", "40,1e11", "--scalar"};
+    for (const char* scalar : {"double", "mpfr:15"}) {
+        const auto done = run_libration(robertson + words{scalar});
+        CHECK(done.exit_code == 0);
+        CHECK(contains(done.out, "2.0833401497012"));
+        CHECK(contains(done.out, "0.71582706871940"));
+        CHECK(contains(done.err, "libration: integrated by collocation from t = "));
+        CHECK_FALSE(contains(done.err, "theorem"));
+    }
+    const auto forced = run_libration(robertson + words{"double", "--integrator", "collocation"});
+    CHECK(contains(forced.err, "from t = 0 to 1e+11: "));
+    const auto lists = run_libration({"trajectory", "--problem", "y' = -k*(y - cos(t)) - sin(t); y(0) = 2", "--set",
+                                      "k=1e8,2e8", "--times", "3", "--scalar", "double"});
+    CHECK(lists.exit_code == 0);
+    CHECK(contains(lists.err, "to 3: "));
+}
+
 TEST_CASE("events of stiff equations are found by collocation, or by a chosen integrator", "[command][reference]") {
     const words until{"reference", "--until", "y = 0"};
     const auto chosen = run_libration(until + stiff);
@@ -103,8 +122,8 @@ TEST_CASE("an integrator is refused where it has no meaning or is not possible",
     check_refused({"reference", "--trace", "steps.csv", "--energy", "1", "--time", "1"}, {"--trace", "--problem"});
     check_refused(words{"reference", "--trace", "missing/steps.csv", "--time", "1"} + decay,
                   {"--trace", "missing/steps.csv"});
-    check_refused(words{"trajectory", "--integrator", "collocation", "--times", "1"} + decay,
-                  {"--integrator", "ball:D"});
+    check_refused(words{"trajectory", "--integrator", "collocation", "--times", "1", "--energy", "1"},
+                  {"--integrator", "--problem"});
 }
 
 }  // namespace command_integrator_test

@@ -35,7 +35,8 @@ using step_observer = std::function<void(const step_report&)>;
 struct collocation_use {
     double first = 0, last = 0;  ///< the times between which its steps lie
     long steps = 0;
-    long periods = 0;  ///< the number of times it replaced Taylor series
+    long periods = 0;    ///< the number of times it replaced Taylor series
+    bool proved = true;  ///< by theorem K; else in rounded arithmetic
 };
 
 }  // namespace libration::ode

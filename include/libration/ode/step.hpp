@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "libration/ode/integrator.hpp"
 #include "libration/ode/taylor_expansion.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/text/decimal.hpp"
@@ -82,7 +83,7 @@ public:
     const solution_state<T>& advance_to(const T& t) {
         for (long steps = 0; step_towards(t); ++steps) {
             if (steps >= most_steps) {
-                refuse(t);
+                throw_not_reached(t);
             }
         }
         state_ = at_start_ && t == origin_ ? start_state() : current().at(T(t - centre_));
@@ -123,6 +124,13 @@ public:
     long steps() const { return steps_; }
     /// The length of the current step; 0 if the series is a polynomial, which is valid everywhere.
     const T& length() const { return length_; }
+
+    /// Throws the error for a time that most_steps steps do not reach.
+    [[noreturn]] void throw_not_reached(const T& t) const {
+        throw error(error_kind::argument, "time", to_decimal(t, 10),
+                    "is not reached: the steps become too small near " + to_decimal(centre_, 10) +
+                        ", where a singularity is close");
+    }
 
 private:
     const taylor_expansion<T>& current() const { return at_start_ ? first_ : other_; }
@@ -185,14 +193,8 @@ private:
 
     void require_step(const T& t) const {
         if (T(centre_ + length_ / 64) == centre_ || !(length_ > 0)) {
-            refuse(t);
+            throw_not_reached(t);
         }
-    }
-
-    [[noreturn]] void refuse(const T& t) const {
-        throw error(error_kind::argument, "time", to_decimal(t, 10),
-                    "is not reached: the steps become too small near " + to_decimal(centre_, 10) +
-                        ", where a singularity is close");
     }
 
     solution_state<T> start_state() const {
@@ -228,6 +230,8 @@ struct partial_states {
     std::vector<solution_state<R>> states;
     /// The reason for missing values, if any are missing.
     std::optional<error> missing;
+    /// Where collocation was used, one entry per independent subsystem and direction of time.
+    std::vector<collocation_use> collocation = {};
 
     /// Whether every unknown has values at time i.
     bool complete_at(std::size_t i) const {
@@ -235,11 +239,10 @@ struct partial_states {
     }
 };
 
-/// The states at times in any order: one integration forwards through those from the initial point on, one backwards,
-/// each as far as its steps lead.
-template <ordered_scalar T>
-partial_states<T> march_as_far_as_possible(const explicit_system& system, const std::vector<number>& times,
-                                           const series::block_product<T>* fast = nullptr) {
+/// The states at times in any order by an integration with advance_to(t), as of taylor_march, for a system: forwards
+/// through those from the initial point on, then backwards, each as far as it leads.
+template <ordered_scalar T, class March>
+partial_states<T> states_by(March& march, const explicit_system& system, const std::vector<number>& times) {
     std::vector<T> at;
     at.reserve(times.size());
     for (const number& each : times) {
@@ -254,7 +257,6 @@ partial_states<T> march_as_far_as_possible(const explicit_system& system, const 
     });
     partial_states<T> result;
     result.states.assign(times.size(), solution_state<T>(system.unknowns().size()));
-    taylor_march<T> march(system, fast);
     std::array<bool, 2> ended{};  // backwards and forwards
     for (const std::size_t i : order) {
         bool& ended_here = ended[is_forward(i) ? 1 : 0];
@@ -274,6 +276,14 @@ partial_states<T> march_as_far_as_possible(const explicit_system& system, const 
         }
     }
     return result;
+}
+
+/// The same by Taylor series.
+template <ordered_scalar T>
+partial_states<T> march_as_far_as_possible(const explicit_system& system, const std::vector<number>& times,
+                                           const series::block_product<T>* fast = nullptr) {
+    taylor_march<T> march(system, fast);
+    return states_by<T>(march, system, times);
 }
 
 /// The same if every time is reached. Throws like taylor_march::advance_to.

@@ -1,7 +1,10 @@
 // The solution of any system at a list of times, to correct digits.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <functional>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -23,7 +26,22 @@ void add_part(partial_states<R>& whole, partial_states<R> part, const closed_sub
     if (!whole.missing) {
         whole.missing = std::move(part.missing);
     }
+    std::ranges::move(part.collocation, std::back_inserter(whole.collocation));
 }
+
+/// The states of the independent subsystems, each by integrate(system), together.
+template <ordered_scalar T, class Integrate>
+partial_states<T> states_of_parts(const explicit_system& system, std::size_t times, const Integrate& integrate) {
+    partial_states<T> whole;
+    whole.states.assign(times, solution_state<T>(system.unknowns().size()));
+    for (const closed_subsystem& each : independent_subsystems(system)) {
+        add_part(whole, integrate(each.system), each);
+    }
+    return whole;
+}
+
+/// An integration of a system in mpfr of the working precision to times.
+using march_of_system = std::function<partial_states<mpfr>(const explicit_system&, const std::vector<number>& times)>;
 
 /// The states at times in any order, each value with `digits` correct digits: two integrations (taylor_march) that
 /// differ in precision and in order agree to them, with as many additional digits as the flow loses. Nothing is proved.
@@ -33,6 +51,9 @@ void add_part(partial_states<R>& whole, partial_states<R> part, const closed_sub
 /// is useful beyond some hundred digits.
 partial_states<mpfr> part_of_trajectory(const explicit_system& system, const std::vector<number>& times, long digits,
                                         const series::block_product<mpfr>* fast = nullptr);
+/// The same by another integration, whose order grows with the precision.
+partial_states<mpfr> part_of_trajectory(const explicit_system& system, const std::vector<number>& times, long digits,
+                                        const march_of_system& march);
 
 /// The same if nothing is missing; otherwise throws the reason.
 std::vector<solution_state<mpfr>> trajectory(const explicit_system& system, const std::vector<number>& times,
@@ -42,12 +63,8 @@ std::vector<solution_state<mpfr>> trajectory(const explicit_system& system, cons
 /// other are integrated separately.
 template <ordered_scalar T>
 partial_states<T> part_of_march(const explicit_system& system, const std::vector<number>& times) {
-    partial_states<T> whole;
-    whole.states.assign(times.size(), solution_state<T>(system.unknowns().size()));
-    for (const closed_subsystem& each : independent_subsystems(system)) {
-        add_part(whole, march_as_far_as_possible<T>(each.system, times), each);
-    }
-    return whole;
+    return states_of_parts<T>(system, times.size(),
+                              [&](const explicit_system& part) { return march_as_far_as_possible<T>(part, times); });
 }
 
 /// The states at points of the complex t-plane, each along the same corners and then straight to it (complex_path): two

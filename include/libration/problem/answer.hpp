@@ -35,9 +35,9 @@ struct request {
     /// discs". If it throws an error of the kind undecided, singularities() returns what is finished, with this error as
     /// the reason of what is missing; a proof of a radius ends with the bound that is proved.
     std::function<void(const std::string& done)> stage = {};
-    /// The integrator of states that are proved by integration. collocation is refused, as error of the subject
-    /// "integrator", if it does not support the system or the precision, and for results without such steps: closed
-    /// forms and results that are not proved. taylor is refused for closed forms.
+    /// The integrator of states that are computed by integration. collocation is refused, as error of the subject
+    /// "integrator", if it does not support the system or the precision, and for closed forms. taylor is refused for
+    /// closed forms.
     ode::integrator_choice integrator = ode::integrator_choice::automatic;
     /// Called for each step of a proof of states at times; not for the second proof of `check`.
     ode::step_observer observer = {};
@@ -91,7 +91,7 @@ struct answer {
     bool complete = true;
     /// What explains the values, line by line: the reasons of a proof, the verdict of several tests.
     std::vector<answer_note> notes = {};
-    /// For proved states: where collocation was used, one entry per independent subsystem and direction of time.
+    /// For states: where collocation was used, one entry per independent subsystem and direction of time.
     std::vector<ode::collocation_use> collocation = {};
 
     /// The decimal or the words, which may be empty, of a row and a column. Throws `missing` for a value that is

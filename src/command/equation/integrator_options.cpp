@@ -21,8 +21,9 @@ constexpr const char* integrator_remedy = "write automatic, taylor or collocatio
 constexpr const char* trace_remedy = "choose a file in a folder that exists and that you may write in";
 
 std::string line_of(const ode::collocation_use& used) {
-    return fmt::format("integrated by collocation (theorem K) from t = {:.6g} to {:.6g}: {} steps{}", used.first,
-                       used.last, used.steps, used.periods > 1 ? fmt::format(" in {} intervals", used.periods) : "");
+    return fmt::format("integrated by collocation{} from t = {:.6g} to {:.6g}: {} steps{}",
+                       used.proved ? " (theorem K)" : "", used.first, used.last, used.steps,
+                       used.periods > 1 ? fmt::format(" in {} intervals", used.periods) : "");
 }
 
 const char* name_of(ode::step_method method) {
@@ -39,8 +40,8 @@ const char* name_of(ode::step_method method) {
 void integrator_options::add_to(CLI::App& command) {
     command
         .add_option("--integrator", integrator_,
-                    "of the proofs of a problem at times: automatic (the default), taylor or collocation, which is for "
-                    "stiff equations; the last two also replace closed forms")
+                    "of a problem at times: automatic (the default), taylor or collocation, which is for stiff "
+                    "equations; the last two also replace closed forms")
         ->type_name("NAME");
 }
 
@@ -66,12 +67,13 @@ void integrator_options::require_absent(const std::string& reason) const {
     }
 }
 
-void integrator_options::state(const std::vector<ode::collocation_use>& used) const {
+void integrator_options::state(const std::vector<ode::collocation_use>& used, bool proved) const {
     for (const ode::collocation_use& each : used) {
         fmt::print(stderr, "libration: {}\n", line_of(each));
     }
     if (used.empty() && choice() == ode::integrator_choice::collocation) {
-        fmt::print(stderr, "libration: no step of collocation was proved: integrated by Taylor series\n");
+        fmt::print(stderr, "libration: no step of collocation was {}: integrated by Taylor series\n",
+                   proved ? "proved" : "found");
     }
 }
 

@@ -1,4 +1,4 @@
-// The integrator of proofs of a problem: --integrator, --trace, and the lines that state what was used.
+// The integrator of a problem: --integrator, --trace, and the lines that state what was used.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -23,8 +23,9 @@ public:
     bool integrates() const { return choice() != ode::integrator_choice::automatic; }
     /// Throws input_error if the option is given, with the reason why it has no meaning.
     void require_absent(const std::string& reason) const;
-    /// A line on stderr for each use of collocation, or that no step of it was proved although it is chosen.
-    void state(const std::vector<ode::collocation_use>& used) const;
+    /// A line on stderr for each use of collocation, or that no step of it was proved, or found in rounded arithmetic,
+    /// although it is chosen.
+    void state(const std::vector<ode::collocation_use>& used, bool proved = true) const;
     /// read(); an error about the integrator is rethrown with the name of the option.
     template <class Read>
     static auto naming(const Read& read) {

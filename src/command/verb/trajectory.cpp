@@ -146,9 +146,6 @@ partial_table trajectory_of_problem(const trajectory_options& options) {
     const auto& [method, approximated, by_step] = *method_among(methods_of_problem, options);
     const arithmetic numbers = options.arithmetic.choose();
     options.integrator.choice();
-    if (numbers.scalar.kind != scalar_kind::proved) {
-        options.integrator.require_absent("chooses the method of proofs, which need --scalar ball:D");
-    }
     if (approximated) {
         options.integrator.require_absent("has no meaning for --method " + method);
         if (options.via || has_imaginary_unit(options.times)) {
@@ -198,7 +195,9 @@ std::vector<partial_table> parts_of(const trajectory_options& options, const std
     };
     std::vector<partial_table> parts{alone(family.front())};  // which checks the options, and warns
     std::vector<std::optional<partial_table>> together(family.size());
-    if (family.size() > 1 && is_integrated_in_double(options)) {
+    const bool by_taylor =
+        parts.front().collocation.empty() && options.integrator.choice() != ode::integrator_choice::collocation;
+    if (family.size() > 1 && by_taylor && is_integrated_in_double(options)) {
         together = family_in_lock_step(family, times_of_problem(options.times), options.arithmetic.choose().digits,
                                        jobs_of(options.jobs));
     }
@@ -229,7 +228,7 @@ int run_trajectory(const trajectory_options& options) {
         }
         table_output(options.output, figure).write(found.rows);
     }
-    options.integrator.state(found.collocation);
+    options.integrator.state(found.collocation, options.arithmetic.choose().scalar.kind == scalar_kind::proved);
     require_complete(found);
     return 0;
 }

@@ -80,7 +80,7 @@ std::vector<Item> items_at(const std::vector<std::size_t>& places, const std::ve
 
 // By two runs of different precision and order; the times are those that the first run reaches.
 partial_states<mpfr> agreed_part(const explicit_system& system, const std::vector<number>& times, long digits,
-                                 const series::block_product<mpfr>* fast) {
+                                 const march_of_system& march) {
     partial_states<mpfr> result;
     result.states.assign(times.size(), solution_state<mpfr>(system.unknowns().size()));
     std::vector<number> reached = times;
@@ -89,7 +89,8 @@ partial_states<mpfr> agreed_part(const explicit_system& system, const std::vecto
         digits,
         [&](long guard) {
             const precision_scope scope(digits + guard);
-            auto now = march_as_far_as_possible<mpfr>(system, reached, fast);
+            auto now = march(system, reached);
+            result.collocation = std::move(now.collocation);
             if (!places) {
                 places = places_reached(now);
                 reached = items_at(*places, times);
@@ -112,13 +113,16 @@ partial_states<mpfr> agreed_part(const explicit_system& system, const std::vecto
 }  // namespace
 
 partial_states<mpfr> part_of_trajectory(const explicit_system& system, const std::vector<number>& times, long digits,
+                                        const march_of_system& march) {
+    return states_of_parts<mpfr>(system, times.size(),
+                                 [&](const explicit_system& part) { return agreed_part(part, times, digits, march); });
+}
+
+partial_states<mpfr> part_of_trajectory(const explicit_system& system, const std::vector<number>& times, long digits,
                                         const series::block_product<mpfr>* fast) {
-    partial_states<mpfr> whole;
-    whole.states.assign(times.size(), solution_state<mpfr>(system.unknowns().size()));
-    for (const closed_subsystem& each : independent_subsystems(system)) {
-        add_part(whole, agreed_part(each.system, times, digits, fast), each);
-    }
-    return whole;
+    return part_of_trajectory(system, times, digits, [&](const explicit_system& part, const std::vector<number>& at) {
+        return march_as_far_as_possible<mpfr>(part, at, fast);
+    });
 }
 
 std::vector<solution_state<mpfr>> trajectory(const explicit_system& system, const std::vector<number>& times,

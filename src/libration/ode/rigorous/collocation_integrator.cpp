@@ -5,23 +5,13 @@
 #include <utility>
 
 #include "collocation_solver.hpp"
+#include "control/collocation_control.hpp"
 #include "libration/ode/ball/step_pieces.hpp"
 
 namespace libration::ode {
 
 namespace {
 
-// Explicit steps are much too short if the solution is smooth over this number of them: if the guide integrates it to
-// the tolerance in at most so many steps, and no unknown decays below this part of itself.
-constexpr long steps_of_smoothness = 32;
-constexpr int guide_steps_of_smoothness = 20;
-constexpr long double tolerance_of_smoothness = 1e-3L;
-constexpr long double decay_of_smoothness = 1e-6L;
-// Limits of the change of the length from step to step.
-constexpr double largest_growth = 3;
-constexpr double smallest_growth = 0.3;
-constexpr double safety = 0.9;
-constexpr int most_rejections = 60;
 // From so many unknowns on values at nodes cost less than coefficients.
 constexpr std::size_t least_unknowns_at_nodes = 7;
 
@@ -77,12 +67,11 @@ struct collocation_integrator::parts {
         const step_interval on{time, next};
         const auto ended = solver->solve(on, set, floors());
         if (ended != collocation_solver::outcome::solved) {
-            change_length(ended == collocation_solver::outcome::too_long
-                              ? std::clamp(safety * solver->factor(), 0.15, safety)
-                              : 0.5);
+            change_length(ended == collocation_solver::outcome::too_long ? length_growth::reduction(solver->factor())
+                                                                         : 0.5);
             return false;
         }
-        const double factor = safety * solver->factor();
+        const double factor = solver->factor();
         auto candidate = solver->candidate();
         auto proved = candidate ? rule(*proof, *candidate, set) : std::nullopt;
         if (!proved) {
@@ -90,8 +79,7 @@ struct collocation_integrator::parts {
             return false;
         }
         tube = std::move(*proved);
-        const double memory = factor > 0.8 ? std::clamp(std::sqrt(grown), 1., 1.6) : 1.;
-        grown = std::clamp(factor * memory, smallest_growth, largest_growth);
+        growth.accept(factor);
         return true;
     }
 
@@ -112,7 +100,7 @@ struct collocation_integrator::parts {
         const bool few = found.curve.size() < least_unknowns_at_nodes;
         return by.tube(found, start, few ? supremum_rule::coefficients : supremum_rule::nodes);
     };
-    double grown = 1;
+    length_growth growth;
     int without_fast = 0;
 };
 
@@ -124,33 +112,14 @@ void collocation_integrator::prove_by(tube_rule rule) { parts_->rule = std::move
 
 bool collocation_integrator::is_smooth_over(const ball& time, const std::vector<ball>& state,
                                             const ball& length) const {
-    stiff_guide::request asked;
+    std::vector<long double> start;
     for (const ball& each : state) {
-        asked.start.push_back(as_long_double(each));
-        asked.floors.push_back(0);
-        if (asked.start.size() <= parts_->map.given() && asked.start.back() == 0 && arb_is_zero(each.handle()) == 0) {
+        start.push_back(as_long_double(each));
+        if (start.size() <= parts_->map.given() && start.back() == 0 && arb_is_zero(each.handle()) == 0) {
             return false;  // below the range of double
         }
     }
-    asked.time = as_long_double(time);
-    asked.length = as_long_double(length) * static_cast<long double>(steps_of_smoothness);
-    asked.tolerance = tolerance_of_smoothness;
-    asked.most_steps = guide_steps_of_smoothness;
-    if (!std::isfinite(asked.length) || asked.length == 0) {
-        return false;
-    }
-    const auto found = parts_->guide.states(asked, {1.0L});
-    // A decaying unknown is resolved by steps that do not reduce it much.
-    const auto keeps_size = [&](std::size_t i) {
-        return std::fabs(found->front()[i]) >= decay_of_smoothness * std::fabs(asked.start[i]);
-    };
-    for (std::size_t i = 0; found && i < asked.start.size(); ++i) {
-        const bool resolved = i < parts_->map.given() && asked.start[i] != 0;
-        if (!std::isfinite(asked.start[i]) || (resolved && !keeps_size(i))) {
-            return false;
-        }
-    }
-    return found.has_value();
+    return parts_->guide.is_smooth_over_steps(as_long_double(time), start, as_long_double(length), parts_->map.given());
 }
 
 void collocation_integrator::begin(const ball& time, tube_set start, const ball& length) {
@@ -161,16 +130,16 @@ void collocation_integrator::begin(const ball& time, tube_set start, const ball&
     parts_->change_length(1);
     parts_->tube.reset();
     parts_->slope_errors.reset();
-    parts_->grown = 1;
+    parts_->growth.restart();
     parts_->without_fast = 0;
 }
 
 bool collocation_integrator::prepare() {
-    for (int rejected = 0; !parts_->tube && rejected < most_rejections; ++rejected) {
+    for (int rejected = 0; !parts_->tube && rejected < length_growth::most_rejections; ++rejected) {
         if (parts_->attempt()) {
             return true;
         }
-        parts_->grown = 1;
+        parts_->growth.restart();
     }
     return parts_->tube.has_value();
 }
@@ -199,7 +168,7 @@ void collocation_integrator::step() {
     now.set = now.tube->end(now.accuracy.product_bits, now.accuracy.frame_bits);
     now.tube.reset();
     now.slope_errors.reset();
-    now.change_length(now.grown);
+    now.change_length(now.growth.factor());
 }
 
 const ball& collocation_integrator::reached() const { return parts_->time; }

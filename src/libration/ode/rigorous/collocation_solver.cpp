@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "control/collocation_control.hpp"
 #include "libration/ode/ball/step_pieces.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 
@@ -11,17 +12,8 @@ namespace libration::ode {
 namespace {
 
 constexpr double log10_of_2 = 0.30102999566398120;
-constexpr int most_iterations = 40;
-constexpr int most_factorisations = 6;
-// log10 of the gain of an iteration below which the matrix is factored again, and of a residual that is too large.
-constexpr double gain_of_iteration = -4;
-constexpr double no_gain = -0.3;
-constexpr double diverged = 6;
 
 double log10_of(const magnitude& x) { return log_of(x) * log10_of_2; }
-
-// log10 of the largest decay of an unknown within a step: a larger one costs digits of its final value.
-constexpr double largest_decay = 2.4;
 
 }  // namespace
 
@@ -232,12 +224,12 @@ magnitude collocation_solver::correct(std::vector<ball>& residual, std::size_t c
 collocation_solver::outcome collocation_solver::iterate() {
     double last = 0;
     int factorisations = 1;
-    for (int k = 0; k < most_iterations; ++k) {
+    for (int k = 0; k < newton_control::most_iterations; ++k) {
         compute_slopes();
         std::vector<ball> step = residual();
         const magnitude size = correct(step, 1);
-        const double now = size.is_finite() ? log10_of(size) : diverged;
-        if (now >= diverged) {
+        const double now = size.is_finite() ? log10_of(size) : newton_control::diverged;
+        if (now >= newton_control::diverged) {
             return outcome::failed;
         }
         for (std::size_t i = 0; i < values_.size(); ++i) {
@@ -246,13 +238,13 @@ collocation_solver::outcome collocation_solver::iterate() {
         if (now < -accuracy_.accepted - 6) {
             return outcome::solved;
         }
-        if (k > 0 && now - last > gain_of_iteration) {
-            if (factorisations < most_factorisations) {
+        if (k > 0 && now - last > newton_control::gain) {
+            if (factorisations < newton_control::most_factorisations) {
                 if (!factor_matrix()) {
                     return outcome::failed;
                 }
                 ++factorisations;
-            } else if (now - last > no_gain) {
+            } else if (now - last > newton_control::none) {
                 return outcome::failed;
             }
         }
@@ -264,38 +256,28 @@ collocation_solver::outcome collocation_solver::iterate() {
 // True if the last Chebyshev coefficients are small enough and no given unknown decays too much; sets the next length.
 bool collocation_solver::measure_tail() {
     const auto last = nodes_.size();
-    double tail = -1e300;
-    std::size_t reached = 5;
-    double decay = 0;
+    step_measure measured{.tail = -1e300, .reached = 5};
     for (std::size_t c = 0; c < count(); ++c) {
         bool found = false;
         for (std::size_t l = last; l >= 2; --l) {
             const ball a = inner_product(&nodes_.coefficients_of_integral().entries[l * last], 1, &slopes_[c],
                                          static_cast<int>(count()), static_cast<int>(last));
             const double size = log10_of(magnitude::midpoint_of(a));
-            tail = l + 2 >= last ? std::max(tail, size) : tail;
+            measured.tail = l + 2 >= last ? std::max(measured.tail, size) : measured.tail;
             found = found || size > -accuracy_.aimed;
-            reached = size > -accuracy_.aimed ? std::max(reached, l) : reached;
+            measured.reached = size > -accuracy_.aimed ? std::max(measured.reached, l) : measured.reached;
             if (found && l + 2 < last) {
                 break;
             }
         }
-        const double begin = log10_of(magnitude(start_->centre[c]).shifted(-scales_[c]));
-        const double middle = log10_of(magnitude::midpoint_of(values_[last / 2 * count() + c]));
-        const double end = log10_of(magnitude::midpoint_of(values_[(last - 1) * count() + c]));
-        if (c < map_.given() && start_->reach(c) < magnitude::below(start_->centre[c]) && middle < begin &&
-            end < middle) {
-            decay = std::max(decay, std::min(begin - end, 3 * (begin - middle)));
+        if (c < map_.given() && start_->reach(c) < magnitude::below(start_->centre[c])) {
+            measured.note_decay(log10_of(magnitude(start_->centre[c]).shifted(-scales_[c])),
+                                log10_of(magnitude::midpoint_of(values_[last / 2 * count() + c])),
+                                log10_of(magnitude::midpoint_of(values_[(last - 1) * count() + c])));
         }
     }
-    const double degree = accuracy_.degree;
-    factor_ = tail > -accuracy_.aimed
-                  ? std::pow(10., (-accuracy_.aimed - tail) / degree)
-                  : std::pow(10., accuracy_.aimed * (1. / static_cast<double>(reached) - 1. / degree));
-    if (decay > 0) {
-        factor_ = std::min(factor_, largest_decay / decay);
-    }
-    return tail <= -accuracy_.accepted && decay <= 2 * largest_decay;
+    factor_ = measured.factor(accuracy_.aimed, accuracy_.degree);
+    return measured.is_acceptable(accuracy_.accepted);
 }
 
 }  // namespace libration::ode

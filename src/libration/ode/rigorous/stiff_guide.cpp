@@ -14,6 +14,12 @@ const long double part_of_step = 1 / (2 + std::sqrt(2.0L));
 const long double weight_of_error = 6 + std::sqrt(2.0L);
 // The part of the largest value of an unknown so far below which its relative error is ignored.
 constexpr long double part_of_largest = 1e-3L;
+// The solution is smooth over a number of steps if it is integrated to the tolerance in at most so many, and no unknown
+// decays below this part of itself.
+constexpr long double steps_of_smoothness = 32;
+constexpr int guide_steps_of_smoothness = 20;
+constexpr long double tolerance_of_smoothness = 1e-3L;
+constexpr long double decay_of_smoothness = 1e-6L;
 
 }  // namespace
 
@@ -26,15 +32,13 @@ struct stiff_guide::run {
 
     // f times the sign of the direction, at a time measured in that direction.
     reals slopes(const reals& state, long double passed) const {
-        reals f = guide.map_.in(ring(passed), state, false).slopes;
+        reals f = guide.of_.values(at(passed), state, false).slopes;
         for (long double& each : f) {
             each *= direction();
         }
         return f;
     }
-    number_ring<long double> ring(long double passed) const {
-        return {guide.constants_, asked.time + direction() * passed};
-    }
+    long double at(long double passed) const { return asked.time + direction() * passed; }
     long double direction() const { return asked.length < 0 ? -1 : 1; }
 
     void note_largest() {
@@ -46,13 +50,13 @@ struct stiff_guide::run {
     // The matrix 1 - s d J, and s d times the derivative of f with respect to time.
     bool factor(long double s) {
         const std::size_t n = y.size();
-        const auto all = guide.map_.in(ring(gone), y, true);
+        const auto all = guide.of_.values(at(gone), y, true);
         reals w(n * n, 0);
         for (std::size_t i = 0; i < n; ++i) {
             w[i * n + i] = 1;
         }
         for (std::size_t k = 0; k < all.entries.size(); ++k) {
-            const auto [i, j] = guide.map_.places()[k];
+            const auto [i, j] = guide.of_.places[k];
             w[i * n + j] -= s * part_of_step * direction() * all.entries[k];
         }
         const long double little = s * 1e-7L;
@@ -121,6 +125,12 @@ struct stiff_guide::run {
     real_lu<long double> lu;
 };
 
+stiff_guide::stiff_guide(const polynomial_map& map, std::vector<long double> constants)
+    : stiff_guide({map.places(), [&map, constants = std::move(constants)](
+                                     long double time, const std::vector<long double>& state, bool with_entries) {
+                       return map.in(number_ring<long double>{constants, time}, state, with_entries);
+                   }}) {}
+
 std::optional<std::vector<std::vector<long double>>> stiff_guide::states(const request& asked,
                                                                          const std::vector<long double>& parts) const {
     run now(*this, asked);
@@ -149,6 +159,31 @@ std::optional<std::vector<std::vector<long double>>> stiff_guide::states(const r
         }
     }
     return found.size() == parts.size() ? std::optional(std::move(found)) : std::nullopt;
+}
+
+bool stiff_guide::is_smooth_over_steps(long double time, const std::vector<long double>& start, long double step,
+                                       std::size_t resolved) const {
+    request asked;
+    asked.start = start;
+    asked.floors.assign(start.size(), 0);
+    asked.time = time;
+    asked.length = step * steps_of_smoothness;
+    asked.tolerance = tolerance_of_smoothness;
+    asked.most_steps = guide_steps_of_smoothness;
+    if (!std::isfinite(asked.length) || asked.length == 0) {
+        return false;
+    }
+    const auto found = states(asked, {1.0L});
+    // A decaying unknown is resolved by steps that do not reduce it much.
+    const auto keeps_size = [&](std::size_t i) {
+        return std::fabs(found->front()[i]) >= decay_of_smoothness * std::fabs(start[i]);
+    };
+    for (std::size_t i = 0; found && i < start.size(); ++i) {
+        if (!std::isfinite(start[i]) || (i < resolved && start[i] != 0 && !keeps_size(i))) {
+            return false;
+        }
+    }
+    return found.has_value();
 }
 
 }  // namespace libration::ode

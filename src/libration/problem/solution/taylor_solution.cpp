@@ -16,7 +16,7 @@
 #include "libration/ode/proved/proved_events.hpp"
 #include "libration/ode/proved/proved_trajectory.hpp"
 #include "libration/ode/step.hpp"
-#include "libration/ode/trajectory.hpp"
+#include "libration/ode/stiff/stiff_trajectory.hpp"
 #include "libration/problem/known_facts.hpp"
 #include "libration/problem/proved_answer.hpp"
 #include "libration/scalar/ball/predicates.hpp"
@@ -67,7 +67,7 @@ private:
 // In the arithmetic in which they are printed.
 template <class T>
 ode::partial_states<mpfr> in_wide_numbers(ode::partial_states<T> part) {
-    ode::partial_states<mpfr> all{{}, std::move(part.missing)};
+    ode::partial_states<mpfr> all{{}, std::move(part.missing), std::move(part.collocation)};
     for (const auto& state : part.states) {
         auto& wide = all.states.emplace_back();
         for (const auto& of_unknown : state) {
@@ -81,10 +81,13 @@ ode::partial_states<mpfr> in_wide_numbers(ode::partial_states<T> part) {
 ode::partial_states<mpfr> integrated(const ode::explicit_system& system, const std::vector<ode::number>& times,
                                      const request& how) {
     if (how.scalar.kind == scalar_kind::arbitrary) {
-        return ode::part_of_trajectory(system, times, digits_of_integration(how), ode::fast_product<mpfr>());
+        return ode::part_of_stiff_trajectory(system, times, digits_of_integration(how), how.integrator,
+                                             ode::fast_product<mpfr>());
     }
     const precision_scope wide(how.scalar.digits + digits_beyond_result);
-    return with_scalar(how.scalar, 0, [&]<class T>() { return in_wide_numbers(ode::part_of_march<T>(system, times)); });
+    return with_scalar(how.scalar, 0, [&]<class T>() {
+        return in_wide_numbers(ode::part_of_stiff_march<T>(system, times, how.integrator));
+    });
 }
 
 // The values of a state in order; empty if it is not reached at all.
@@ -192,10 +195,6 @@ answer taylor_solution::proved_states(const std::vector<exact>& times, const req
 }
 
 answer taylor_solution::rounded_states(const std::vector<exact>& times, const request& how) const {
-    if (how.integrator == ode::integrator_choice::collocation) {
-        throw error(error_kind::argument, "integrator", "collocation",
-                    "is for proved digits, and these are rounded: use the scalar ball:D, or automatic or taylor");
-    }
     auto part = integrated(system_, numbers_of(times), how);
     const bool agreed = how.scalar.kind == scalar_kind::arbitrary;
     answer result{.names = quantities(), .rows = {}, .rigour = agreed ? "two-method" : "heuristic"};
@@ -204,6 +203,7 @@ answer taylor_solution::rounded_states(const std::vector<exact>& times, const re
     }
     result.drifts = drifts(times, part.states, digits_of_integration(how));
     result.missing = std::move(part.missing);
+    result.collocation = std::move(part.collocation);
     return result;
 }
 
