@@ -256,8 +256,12 @@ class Problem:
 
     def limits(self, digits: int = 50) -> Row:
         """The unknowns and their lower derivatives at infinite time, proved: at a stable equilibrium that the solution
-        approaches, or by a lemma on the problem. Raises UndecidedError if neither is found."""
-        return Table._of(self._problem.limits(digits))[0]
+        approaches, or by a lemma on the problem. Raises UndecidedError if neither is found, and for a value that is not
+        distinguished from 0; its `partial` has the others."""
+        try:
+            return Table._of(self._problem.limits(digits))[0]
+        except UndecidedError as problem:
+            raise _with_partial(problem, lambda table: Table._of(table)[0]) from None
 
     def find(
         self,

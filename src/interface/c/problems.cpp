@@ -192,8 +192,10 @@ int libration_problem_singularities(const libration_problem* problem, const char
 }
 
 int libration_problem_limits(const libration_problem* problem, long digits, libration_table** limits) {
-    return made(limits,
-                [&] { return table_of_numbers(solution_of(problem)->limits(proved_digits(given_digits(digits)))); });
+    return partly_made(limits, [&] {
+        const answer found = solution_of(problem)->limits(proved_digits(given_digits(digits)));
+        return known_states{table_of_numbers(found), found.missing};
+    });
 }
 
 int libration_problem_events(const libration_problem* problem, const char* condition, long count, long digits,

@@ -213,7 +213,7 @@ void define_problems(py::module_& m) {
                     return std::pair(std::move(found), complete == 1);
                 });
     problem.def("limits", [](const problem_object& of, long digits) {
-        return table([&](auto** to) { return libration_problem_limits(of.handle.get(), digits, to); });
+        return known_table([&](auto** to) { return libration_problem_limits(of.handle.get(), digits, to); });
     });
     problem.def("events", [](const problem_object& of, const std::string& condition, long count, long digits) {
         return known_table(
