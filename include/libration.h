@@ -187,8 +187,8 @@ int libration_problem_radius_bounds(const libration_problem *problem, long digit
 int libration_problem_singularities(const libration_problem *problem, const char *within, long digits, int rigour,
                                     libration_table **singularities, int *complete);
 /* The unknowns and their lower derivatives at infinite time, proved: one row, at a stable equilibrium that the solution
- * approaches, or by a lemma on the problem. UNDECIDED if neither is found; it also gives a table if a value is not distinguished
- * from 0: it is then 0 as in libration_problem_known_states. */
+ * approaches, or by a lemma on the problem. UNDECIDED if neither is found; it also gives a table if a value is not
+ * distinguished from 0, which is then 0 as in libration_problem_known_states. */
 int libration_problem_limits(const libration_problem *problem, long digits, libration_table **limits);
 /* The first `count` times after the initial point at which a condition on the unknowns holds, "x' = 1/2": time and one
  * column for each name, proved, without omissions. UNDECIDED also gives a table, of the first ones, if there are not as
