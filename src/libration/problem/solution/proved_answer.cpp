@@ -11,7 +11,7 @@ namespace libration {
 
 namespace {
 
-constexpr const char* proved = "proved";
+constexpr const char* rigour_of_proofs = "proved";
 
 }  // namespace
 
@@ -21,7 +21,7 @@ answer_value value_in_answer(const ode::known_value& value) {
 }
 
 answer answer_of(std::vector<std::string> names, const ode::partial_trajectory& found) {
-    answer result{.names = std::move(names), .rows = {}, .rigour = proved};
+    answer result{.names = std::move(names), .rows = {}, .rigour = rigour_of_proofs};
     for (const auto& state : found.states) {
         std::ranges::transform(state, std::back_inserter(result.rows.emplace_back()), value_in_answer);
     }
@@ -31,7 +31,7 @@ answer answer_of(std::vector<std::string> names, const ode::partial_trajectory& 
 }
 
 answer answer_of(const std::vector<std::string>& quantities, const ode::event_report& found) {
-    answer result{.names = {"time"}, .rows = {}, .rigour = proved};
+    answer result{.names = {"time"}, .rows = {}, .rigour = rigour_of_proofs};
     result.names.insert(result.names.end(), quantities.begin(), quantities.end());
     for (const ode::known_event& event : found.events) {
         auto& row = result.rows.emplace_back();
