@@ -66,7 +66,7 @@ TEST_CASE("conserved sums are eliminated", "[ode][proved][limit]") {
     CHECK(abs(mpfr(mpfr(found[0]) - (1 - x))) <= pow(mpfr(10), -25));
 }
 
-TEST_CASE("an equilibrium of HIRES satisfies its equations", "[ode][proved][limit]") {
+TEST_CASE("an equilibrium of HIRES satisfies its equations", "[ode][proved][limit][.long]") {
     const ode::explicit_system system(ode::parse(std::string(problem_text("hires"))));
     const auto found = ode::limit_at_equilibrium(system, 40);
     REQUIRE(!found.missing);
