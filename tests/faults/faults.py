@@ -416,6 +416,7 @@ FAULTS = [
         ("a state without all of its digits bounded as one of 0", "run.last && contains_zero(values[i])", "run.last"),
         ("invariants of states with the velocities exchanged", "{midpoint_of(values[0]), midpoint_of(values[1])}",
          "{midpoint_of(values[0]), midpoint_of(values[3])}"),
+        sources=("src/libration/problem/known/known_facts.cpp", "src/libration/problem/solution/solve.cpp"),
     ),
     *in_file(
         "src/libration/problem/known/painleve_1.cpp", ["problem/known/painleve_1_test.cpp"],
@@ -555,7 +556,7 @@ FAULTS = [
     *in_file(
         "src/libration/ode/proved/equilibrium/stable_zero.cpp", ["ode/proved/limit_at_equilibrium_test.cpp"],
         ("a box that does not contain its image", "return i < r; })) {", "return i < r || true; })) {"),
-        ("a coupling of modes", "growth += norm_of(sizes_of", "growth -= norm_of(sizes_of"),
+        ("a coupling of modes", "growth += norm_of(sizes_in_basis", "growth -= norm_of(sizes_in_basis"),
         ("the neighborhood of the zero alone", "box[i] = widened(zero[i], reach);", "box[i] = zero[i];"),
     ),
     *in_file(

@@ -46,6 +46,10 @@ TEST_CASE("limits at equilibria are those of closed forms", "[ode][proved][limit
     CHECK(decimals_of("y' = cos(y) - y; y(0) = 3", 30) == std::vector<std::string>{"0.739085133215160641655312087674"});
     // A focus; the velocity is exactly 0 there.
     CHECK(decimals_of("x'' = 1 - x - x'/5; x(0) = 3; x'(0) = -1", 10) == std::vector<std::string>{"1.000000000", "0"});
+    // Critical damping, without a second eigenvector; with a cubic spring, and with two such pairs that are coupled.
+    CHECK(decimals_of("x'' = -x - 2*x' - x^3; x(0) = 5; x'(0) = 0", 10) == std::vector<std::string>{"0", "0"});
+    CHECK(decimals_of("x'' = 1 - x - 2*x'; y'' = x - y - 2*y'; x(0) = 0; x'(0) = 0; y(0) = 0; y'(0) = 1", 10) ==
+          std::vector<std::string>{"1.000000000", "0", "1.000000000", "0"});
     // Modes that are nearly parallel, far from normal: (0, 0) is approached through values near 50.
     CHECK(decimals_of("x' = 100*y - x; y' = -2*y; x(0) = 1; y(0) = 1", 10) == std::vector<std::string>{"0", "0"});
 }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "../../rigorous/fast_modes.hpp"
 #include "../../rigorous/matrix/bound_matrix.hpp"
+#include "decay_basis.hpp"
 #include "libration/ode/ball/step_pieces.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 
@@ -14,10 +14,6 @@ namespace {
 
 constexpr int most_newton_corrections = 60;
 constexpr int most_krawczyk_boxes = 10;
-constexpr long bits_of_modes = 128;
-// Eigenvalues with a smaller real part count as those of decaying modes; the proof does not depend on it.
-constexpr double least_decay = 1e-250;
-
 using place_list = std::vector<std::size_t>;
 
 std::vector<ball> at_places(const std::vector<ball>& of, const place_list& places) {
@@ -169,6 +165,45 @@ ball logarithmic_norm(const dense_matrix& m, column_block block) {
     return exactly_less(first, second) ? second : first;
 }
 
+// Theorem Q for these blocks.
+bool is_approached_by(const reduced_field& f, const std::vector<ball>& zero, const std::vector<ball>& states,
+                      const block_basis& basis) {
+    const auto rows = inverse(basis.columns);
+    if (!rows) {
+        return false;
+    }
+    std::vector<ball> offset;
+    for (std::size_t k = 0; k < zero.size(); ++k) {
+        offset.push_back(states[k] - zero[k]);
+    }
+    const auto parts = product(*rows, offset);
+    const std::vector<magnitude> sizes(parts.begin(), parts.end());
+    const auto blocks = blocks_of(basis.blocks);
+    magnitude distance;
+    for (const column_block& each : blocks) {
+        distance = std::max(distance, norm_of(sizes.data(), each));
+    }
+    std::vector<ball> box = zero;
+    for (std::size_t i = 0; i < zero.size(); ++i) {
+        magnitude reach;
+        for (std::size_t k = 0; k < zero.size(); ++k) {
+            reach.add_product(magnitude(basis.columns(i, k)), distance);
+        }
+        box[i] = widened(zero[i], reach);
+    }
+    const dense_matrix in_basis = product(*rows, product(f.derivative(box), basis.columns));
+    const bound_matrix sizes_in_basis(in_basis.entries.begin(), in_basis.entries.end());
+    return std::ranges::all_of(blocks, [&](const column_block& each) {
+        ball growth = logarithmic_norm(in_basis, each);
+        for (const column_block& other : blocks) {
+            if (other.begin != each.begin) {
+                growth += norm_of(sizes_in_basis, zero.size(), each, other).exact();
+            }
+        }
+        return arb_is_negative(growth.handle()) != 0;
+    });
+}
+
 }  // namespace
 
 std::optional<std::vector<ball>> enclosed_zero(const reduced_field& f, const std::vector<ball>& near) {
@@ -186,45 +221,14 @@ std::optional<std::vector<ball>> enclosed_zero(const reduced_field& f, const std
 }
 
 bool is_approached(const reduced_field& f, const std::vector<ball>& zero, const std::vector<ball>& states) {
-    const auto modes = modes_of(f.derivative(zero), bits_of_modes, least_decay);
-    if (!modes || !modes->slow.empty()) {
-        return false;
-    }
-    const dense_matrix columns = modes->basis();
-    const auto rows = inverse(columns);
-    if (!rows) {
-        return false;
-    }
-    std::vector<ball> offset;
-    for (std::size_t k = 0; k < zero.size(); ++k) {
-        offset.push_back(states[k] - zero[k]);
-    }
-    const auto parts = product(*rows, offset);
-    const std::vector<magnitude> sizes(parts.begin(), parts.end());
-    const auto blocks = blocks_of(modes->fast_blocks);
-    magnitude distance;
-    for (const column_block& each : blocks) {
-        distance = std::max(distance, norm_of(sizes.data(), each));
-    }
-    std::vector<ball> box = zero;
-    for (std::size_t i = 0; i < zero.size(); ++i) {
-        magnitude reach;
-        for (std::size_t k = 0; k < zero.size(); ++k) {
-            reach.add_product(magnitude(columns(i, k)), distance);
+    const dense_matrix derivative = f.derivative(zero);
+    for (const auto& choose : {basis_of_eigenvectors, scaled_schur_basis}) {
+        const auto basis = choose(derivative);
+        if (basis && is_approached_by(f, zero, states, *basis)) {
+            return true;
         }
-        box[i] = widened(zero[i], reach);
     }
-    const dense_matrix by_modes = product(*rows, product(f.derivative(box), columns));
-    const bound_matrix sizes_of(by_modes.entries.begin(), by_modes.entries.end());
-    return std::ranges::all_of(blocks, [&](const column_block& each) {
-        ball growth = logarithmic_norm(by_modes, each);
-        for (const column_block& other : blocks) {
-            if (other.begin != each.begin) {
-                growth += norm_of(sizes_of, zero.size(), each, other).exact();
-            }
-        }
-        return arb_is_negative(growth.handle()) != 0;
-    });
+    return false;
 }
 
 }  // namespace libration::ode

@@ -13,8 +13,8 @@ namespace libration::ode {
 /// invariant subspace have its exact zeros. In the working precision; std::nullopt if none is proved.
 std::optional<std::vector<ball>> enclosed_zero(const reduced_field& f, const std::vector<ball>& near);
 
-/// Whether every solution through one of these states approaches the zero, by theorem Q with blocks of the real
-/// eigenvectors of f_y and of the real and imaginary parts of complex ones.
+/// Whether every solution through one of these states approaches the zero, by theorem Q in one of the bases of
+/// decay_basis.hpp.
 bool is_approached(const reduced_field& f, const std::vector<ball>& zero, const std::vector<ball>& states);
 
 }  // namespace libration::ode
