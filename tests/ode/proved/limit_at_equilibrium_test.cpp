@@ -50,6 +50,9 @@ TEST_CASE("limits at equilibria are those of closed forms", "[ode][proved][limit
     CHECK(decimals_of("x'' = -x - 2*x' - x^3; x(0) = 5; x'(0) = 0", 10) == std::vector<std::string>{"0", "0"});
     CHECK(decimals_of("x'' = 1 - x - 2*x'; y'' = x - y - 2*y'; x(0) = 0; x'(0) = 0; y(0) = 0; y'(0) = 1", 10) ==
           std::vector<std::string>{"1.000000000", "0", "1.000000000", "0"});
+    // (d/dt + 1)^3 y = 2.
+    CHECK(decimals_of("y''' = 2 - y - 3*y' - 3*y''; y(0) = 1; y'(0) = 0; y''(0) = 0", 10) ==
+          std::vector<std::string>{"2.000000000", "0", "0"});
     // Modes that are nearly parallel, far from normal: (0, 0) is approached through values near 50.
     CHECK(decimals_of("x' = 100*y - x; y' = -2*y; x(0) = 1; y(0) = 1", 10) == std::vector<std::string>{"0", "0"});
 }

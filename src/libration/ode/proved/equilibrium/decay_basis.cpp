@@ -2,8 +2,8 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 
 #include "../../rigorous/fast_modes.hpp"
 
@@ -49,20 +49,19 @@ std::optional<block_basis> scaled_schur_basis(const dense_matrix& of) {
     const double ratio = std::min(0.5, slowest / (4 * static_cast<double>(size) * beside));
     block_basis result{dense_matrix(of.rows, of.rows), {}};
     double scale = 1;
-    for (Eigen::Index k = 0; k < size; scale *= ratio) {
+    for (Eigen::Index k = 0; k < size; k += static_cast<Eigen::Index>(result.blocks.back())) {
         const bool pair = k + 1 < size && t(k + 1, k) != 0;
-        // A pair has the form a, b; c, a: its second column is scaled such that b and c become equally large.
-        const double second = pair ? std::sqrt(std::fabs(t(k + 1, k) / t(k, k + 1))) : 1;
+        // A pair has the form a, b; c, a: the quotient of its scales is such that b and c become equally large.
+        const double quotient = pair ? std::sqrt(std::fabs(t(k + 1, k) / t(k, k + 1))) : 1;
+        const std::array<double, 2> scales{scale * std::min(1., 1 / quotient), scale * std::min(1., quotient)};
         for (Eigen::Index i = 0; i < size; ++i) {
-            const auto row = static_cast<std::size_t>(i);
-            const auto column = static_cast<std::size_t>(k);
-            result.columns(row, column) = exactly(schur.matrixU()(i, k) * scale);
-            if (pair) {
-                result.columns(row, column + 1) = exactly(schur.matrixU()(i, k + 1) * scale * second);
+            for (Eigen::Index j = 0; j < (pair ? 2 : 1); ++j) {
+                result.columns(static_cast<std::size_t>(i), static_cast<std::size_t>(k + j)) =
+                    exactly(schur.matrixU()(i, k + j) * scales[static_cast<std::size_t>(j)]);
             }
         }
         result.blocks.push_back(pair ? 2 : 1);
-        k += pair ? 2 : 1;
+        scale = std::min(scales[0], scales[1]) * ratio;
     }
     return result;
 }
