@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "libration/ode/parse.hpp"
+#include "libration/ode/proved/equilibrium/stable_zero.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "libration/scalar/scalar.hpp"
 
@@ -71,6 +72,24 @@ TEST_CASE("conserved sums are eliminated", "[ode][proved][limit]") {
     const mpfr x = (p - sqrt(mpfr(p * p - 8))) / 2;
     CHECK(abs(mpfr(mpfr(found[1]) - x)) <= pow(mpfr(10), -25));
     CHECK(abs(mpfr(mpfr(found[0]) - (1 - x))) <= pow(mpfr(10), -25));
+}
+
+ode::reduced_field field_of(const std::string& text) {
+    return ode::reduced_field(ode::explicit_system(ode::parse(text)));
+}
+
+// f_y has -1 on its diagonal everywhere, and 2 x and 2 y beside it: solutions from beyond the saddle at (1, 1) grow.
+TEST_CASE("a neighborhood of a zero is bounded by its modes and by what couples them", "[ode][proved][limit]") {
+    const auto f = field_of("x' = y^2 - x; y' = x^2 - y; x(0) = 0; y(0) = 0");
+    const std::vector<ball> zero{ball(0), ball(0)};
+    CHECK(ode::is_approached(f, zero, {ball(1) / 10, ball(1) / 10}));
+    CHECK(!ode::is_approached(f, zero, {ball(2), ball(2)}));
+}
+
+TEST_CASE("a field without a zero has none that is enclosed", "[ode][proved][limit]") {
+    const precision_scope scope(20);
+    CHECK(ode::enclosed_zero(field_of("y' = y^2 - 2; y(0) = 1"), {ball(1)}));
+    CHECK(!ode::enclosed_zero(field_of("y' = y^2 + 1e-30; y(0) = 1"), {ball(1)}));
 }
 
 TEST_CASE("an equilibrium of HIRES satisfies its equations", "[ode][proved][limit][.long]") {
