@@ -15,7 +15,10 @@ edge(column, side) = ask(angles.sprintf(" | awk -F, 'NF{if(!n++||$%d>h)h=$%d;if(
 first = edge(2, 'l'); last = edge(2, 'h')
 low = edge(1, 'l'); high = edge(1, 'h')
 top = highest > 12 ? 12 : (highest > 1.2 ? highest : 1.2)
-way_name(w) = 'N = '.word(w, 1).', '.(word(w, 2) eq 'agm' ? '' : 'T* from ').rule_name(word(w, 2))
+# The order N of the approximations stands above the key, or in each entry if there are several.
+orders = 1
+do for [i=2:words(ways)] { if (word(word(ways, i), 1) ne word(word(ways, 1), 1)) { orders = 2 } }
+way_name(w) = (orders > 1 ? 'N = '.word(w, 1).', ' : '').(word(w, 2) eq 'agm' ? '' : 'T*: ').rule_name(word(w, 2))
 dash(i) = (i-1)%5+1
 hue(i) = words(ways) <= 6 ? shade[(3+2*i)%6+1] : colour(i, words(ways))
 is(regime, y) = strcol(4) eq regime ? y : NaN
@@ -56,7 +59,7 @@ do for [kind in terminals] {
     set xlabel e_axis
     set ylabel norm_axis rotate by 90 offset 0
     set title 'Error of the resummation' offset 0,-0.5
-    set key at graph 0.98, 0.03 right bottom noreverse Right
+    set key at graph 0.98, 0.03 right bottom noreverse Right title orders > 1 ? '' : 'N = '.word(word(ways, 1), 1)
     if (low < 2 && high > 2) { set arrow 1 from 2, graph 0 to 2, graph 1 nohead lc rgb '#888888' dt 3 }
     plot for [i=1:words(ways)] points_by(worst(word(ways, i))) using 1:2 with linespoints lw 2 ps 0.8 pt i+3 dt dash(i) lc rgb hue(i) title in_key(i, words(ways)) ? way_name(word(ways, i)) : ''
     unset arrow
