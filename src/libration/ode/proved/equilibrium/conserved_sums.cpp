@@ -111,7 +111,7 @@ public:
 
     void add(std::vector<rational> row) {
         for (const auto& [pivot, known] : rows_) {
-            subtract(row, row[pivot], known);
+            clear(row, pivot, known);
         }
         const auto first = std::ranges::find_if(row, [](const rational& each) { return each != 0; });
         if (first == row.end()) {
@@ -123,7 +123,7 @@ public:
             each /= by;
         }
         for (auto& known : rows_) {
-            subtract(known.second, known.second[pivot], row);
+            clear(known.second, pivot, row);
         }
         rows_.emplace(pivot, std::move(row));
     }
@@ -133,13 +133,13 @@ public:
     rational of_kernel(std::size_t pivot, std::size_t column) const { return -rows_.at(pivot)[column]; }
 
 private:
-    void subtract(std::vector<rational>& from, const rational& times, const std::vector<rational>& row) const {
-        if (times == 0) {
-            return;
-        }
-        const rational factor = times;
-        for (std::size_t k = 0; k < columns_; ++k) {
-            from[k] -= factor * row[k];
+    // Subtracts the multiple of a row that is 1 at the pivot which leaves 0 there.
+    void clear(std::vector<rational>& row, std::size_t pivot, const std::vector<rational>& by) const {
+        const rational factor = std::exchange(row[pivot], 0);
+        for (std::size_t k = 0; factor != 0 && k < columns_; ++k) {
+            if (k != pivot) {
+                row[k] -= factor * by[k];
+            }
         }
     }
 

@@ -20,7 +20,15 @@ constexpr long most_bits_of_states = 256;
 // The bits of the zero are doubled so many times for a value that is not distinguished from 0.
 constexpr int most_runs_at_zero = 3;
 
-error no_limit(const std::string& what) { return error(error_kind::undecided, "time", "inf", what); }
+error no_limit(const std::string& what) { return {error_kind::undecided, "time", "inf", what}; }
+
+// Throws error unless the proof ended for lack of precision.
+void require_precision_alone(const proved_march& march) {
+    if (march.end() != march_end::precision) {
+        throw no_limit("is not reached: the solution is proved to exist up to " +
+                       proved_reach_text(march.reached(), true) + ", and no further step is proved");
+    }
+}
 
 class limit_search {
 public:
@@ -52,22 +60,15 @@ private:
             }
             const auto state = march.at(system_.point() + number(distance));
             if (!state) {
-                return ended(march);
+                require_precision_alone(march);
+                return std::nullopt;
             }
             reached_ = proved_reach_text(march.reached(), true);
-            if (const auto found = limit_from(*state)) {
+            if (auto found = limit_from(*state)) {
                 return found;
             }
         }
         throw no_limit(not_approached("later times were not tried"));
-    }
-
-    std::optional<std::vector<known_value>> ended(const proved_march& march) const {
-        if (march.end() == march_end::precision) {
-            return std::nullopt;
-        }
-        throw no_limit("is not reached: the solution is proved to exist up to " +
-                       proved_reach_text(march.reached(), true) + ", and no further step is proved");
     }
 
     std::optional<std::vector<known_value>> limit_from(const std::vector<ball>& state) const {

@@ -1,6 +1,7 @@
 #include "stable_zero.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "../../rigorous/matrix/bound_matrix.hpp"
@@ -222,13 +223,10 @@ std::optional<std::vector<ball>> enclosed_zero(const reduced_field& f, const std
 
 bool is_approached(const reduced_field& f, const std::vector<ball>& zero, const std::vector<ball>& states) {
     const dense_matrix derivative = f.derivative(zero);
-    for (const auto& choose : {basis_of_eigenvectors, scaled_schur_basis}) {
+    return std::ranges::any_of(std::array{basis_of_eigenvectors, scaled_schur_basis}, [&](const auto& choose) {
         const auto basis = choose(derivative);
-        if (basis && is_approached_by(f, zero, states, *basis)) {
-            return true;
-        }
-    }
-    return false;
+        return basis && is_approached_by(f, zero, states, *basis);
+    });
 }
 
 }  // namespace libration::ode
