@@ -215,6 +215,7 @@ double collocation_steps<T>::correct() {
         return -std::numeric_limits<double>::infinity();
     }
     std::vector<long double> right;
+    right.reserve(residuals.size());
     for (const T& each : residuals) {
         right.push_back(convert<long double>(times_power_of_2(each, -largest)));
     }
