@@ -35,7 +35,7 @@ public:
     limit_search(const explicit_system& of, long digits, const march_watch& watch, const proof_route& route)
         : system_(of), digits_(digits), watch_(watch), route_(route), field_(of) {
         if (field_.depends_on_time()) {
-            throw no_limit("is reached by steps only if the right-hand sides do not contain the variable");
+            throw no_limit("is not supported for right-hand sides that contain the variable");
         }
     }
 
@@ -115,7 +115,7 @@ private:
 partial_trajectory limit_at_equilibrium(const explicit_system& system, long digits, const march_watch& watch,
                                         const proof_route& route) {
     if (system.singular()) {
-        throw no_limit("is reached by steps only if the initial point is not singular");
+        throw no_limit("is not supported for a singular initial point, except by the lemmas of the catalogue");
     }
     partial_trajectory whole{.states = {{}}, .missing = {}};
     auto& state = whole.states.front();
