@@ -50,8 +50,8 @@ public:
 
     /// 2^64 times a number of words, give or take one, or any number of bits up to `most` >= 2.
     long length(long most) {
-        const long words = std::max<long>(most / 64, 1);
-        const long all = one_in(2) ? 64 * between(1, words) + between(-1, 1) : between(2, most);
+        const long limbs = std::max<long>(most / 64, 1);
+        const long all = one_in(2) ? 64 * between(1, limbs) + between(-1, 1) : between(2, most);
         return std::clamp<long>(all, 2, most);
     }
 
