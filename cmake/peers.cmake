@@ -34,3 +34,11 @@ endif()
 foreach(script IN ITEMS scipy_solvers.py mpmath_solvers.py equation_code.py)
     configure_file(peers/${script} ${PROJECT_BINARY_DIR}/${script} COPYONLY)
 endforeach()
+
+# `libration import`: models in SBML, by libsbml.
+pkg_check_modules(sbml QUIET IMPORTED_TARGET libsbml)
+if(sbml_FOUND)
+    file(GLOB import_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/import/*.cpp)
+    add_executable(libration-import ${import_sources})
+    target_link_libraries(libration-import PRIVATE PkgConfig::sbml fmt::fmt libration-warnings)
+endif()

@@ -201,16 +201,16 @@ int libration::run_program(int argc, char** argv) {
     program.require_subcommand(1);
     program.set_help_all_flag("--help-all", "the options of all subcommands");
     const std::vector<libration::subcommand> commands{
-        libration::period_command(program),       libration::coefficients_command(program),
-        libration::trajectory_command(program),   libration::radius_command(program),
-        libration::series_command(program),       libration::reference_command(program),
-        libration::elliptic_command(program),     libration::table_command(program),
-        libration::study_command(program),        libration::studies_command(program),
-        libration::journal_command(program),      libration::figure_command(program),
-        libration::claims_command(program),       libration::reproduce_command(program),
-        libration::verify_command(program),       libration::cite_command(program),
-        libration::find_command(program),         libration::problems_command(program),
-        libration::singularities_command(program)};
+        libration::period_command(program),        libration::coefficients_command(program),
+        libration::trajectory_command(program),    libration::radius_command(program),
+        libration::series_command(program),        libration::reference_command(program),
+        libration::elliptic_command(program),      libration::table_command(program),
+        libration::study_command(program),         libration::studies_command(program),
+        libration::journal_command(program),       libration::figure_command(program),
+        libration::claims_command(program),        libration::reproduce_command(program),
+        libration::verify_command(program),        libration::cite_command(program),
+        libration::find_command(program),          libration::problems_command(program),
+        libration::singularities_command(program), libration::import_command(program)};
     libration::timeout_option timeout;
     for (const libration::subcommand& each : commands) {
         if (has_timeout(each.options->get_name())) {

@@ -50,7 +50,7 @@ running_questions& running() {
 
 const std::vector<statement_kind>& statement_kinds() {
     static const std::vector<statement_kind> all{
-        {"value", "unknowns at a time", 390, ask_value},
+        {"value", "unknowns at a time", 350, ask_value},
         {"special function", "solutions by functions of mpmath, alone and beside others", 30, ask_special_function},
         {"event", "times of events, and the unknowns there", 160, ask_event},
         {"count", "events before a time", 100, ask_count},
@@ -61,6 +61,10 @@ const std::vector<statement_kind>& statement_kinds() {
         {"coefficient", "lists of Taylor coefficients, one for each unknown", 185, ask_coefficient},
         {"exact zero", "unknowns that stay 0, and others beside them", 50, ask_zero},
         {"refusal", "times behind a singularity", 25, ask_refusal},
+        {"algebraic", "unknowns of algebraic equations", 10, ask_algebraic},
+        {"jump", "events that change the solution", 10, ask_jump},
+        {"branch", "piecewise right-hand sides", 10, ask_branch},
+        {"limit", "limits at equilibria", 10, ask_limit},
     };
     return all;
 }

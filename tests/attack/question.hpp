@@ -12,6 +12,7 @@
 #include "attack/solved_problem.hpp"
 #include "libration/ode/explicit_system.hpp"
 #include "libration/ode/parse.hpp"
+#include "libration/ode/proved/known_value.hpp"
 
 namespace libration::attack {
 
@@ -37,6 +38,10 @@ outcome ask_position(choices& next);
 outcome ask_coefficient(choices& next);
 outcome ask_zero(choices& next);
 outcome ask_refusal(choices& next);
+outcome ask_algebraic(choices& next);
+outcome ask_jump(choices& next);
+outcome ask_branch(choices& next);
+outcome ask_limit(choices& next);
 
 /// Stores the command of this thread's current question, and returns it; an empty one ends the question.
 std::string announce(std::string command);
@@ -52,6 +57,9 @@ public:
 /// Throws no_answer if this thread's question has taken more than `seconds_of_a_question` of processor time.
 void require_time_left();
 inline constexpr std::chrono::seconds seconds_of_a_question{5};
+
+/// Adds the verdict on the digits of a number, or on its bound.
+void add_number(outcome& to, const ode::known_value& number, long digits, const truth& exact, const std::string& name);
 
 /// Requested digits: mostly few, some hundred where products of series are long.
 long any_digits(choices& next);

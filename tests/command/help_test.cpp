@@ -73,6 +73,8 @@ TEST_CASE("every --help ends with two examples, which run, in lines of at most 1
         REQUIRE(examples.size() == 2);
         CHECK(help.ends_with(examples.back() + "\n"));
         const temporary_folder folder;
+        std::filesystem::copy_file(std::string(LIBRATION_SOURCE_DIR) + "/tests/import/events.xml",
+                                   folder.path() / "model.xml");
         for (const std::string& example : examples) {
             INFO(example);
             const std::string line = "cd '" + folder.path().string() + "' && PATH='" + program + "':$PATH; " + example +

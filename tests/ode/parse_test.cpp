@@ -114,6 +114,42 @@ TEST_CASE("unused parameters are those that stand in their definition alone", "[
     CHECK(unused_parameters("y' = y; y(0) = 1; exact y = a*exp(t); a = 1").empty());
 }
 
+TEST_CASE("names for expressions are replaced in equations and conditions", "[ode][parse]") {
+    const std::string rest = "; k = 2; x(0) = 1; y(0) = 0";
+    const explicit_system named(parse("x' = -s; y' = s - y; s = r + t; r = k*x^2" + rest));
+    const explicit_system plain(parse("x' = -(k*x^2 + t); y' = (k*x^2 + t) - y" + rest));
+    for (std::size_t i = 0; i < 2; ++i) {
+        CHECK(same_form(named.right()[i], plain.right()[i]));
+    }
+    const equation_system given = parse("x' = -r; r = k*x" + rest.substr(0, 16));
+    CHECK(same_form(parse_condition(given, "r = 1"), 2 * unknown("x") - 1));
+    CHECK(same_form(explicit_system(changed(given, "k = 3")).right()[0], -(3 * unknown("x"))));
+    // One more unknown r, whose derivative is -k r.
+    const explicit_system shown(with_column(given, "r"));
+    CHECK(names_of_state(shown) == std::vector<std::string>{"x", "r"});
+    CHECK(shown.starts()[1][0].fraction() == 2);
+    CHECK_THROWS_WITH(with_column(given, "k"),
+                      "problem 'k' is not a name for an expression in unknowns or time: define "
+                      "it in the problem, as k = x^2 + y^2");
+    CHECK_THROWS_WITH(changed(given, "r = 3"),
+                      "problem 'r' at line 1, column 1 is a name for an expression in unknowns "
+                      "or time: change it in the problem");
+}
+
+TEST_CASE("unknowns without a derivative are those that more equations determine", "[ode][parse]") {
+    const equation_system computed = parse("x' = z; 0 = z - k*x; k = 2; x(0) = 1");
+    CHECK(computed.unknowns() == std::vector<std::string>{"x", "z"});
+    CHECK(computed.is_algebraic("z"));
+    CHECK_FALSE(computed.is_algebraic("x"));
+    CHECK(computed.order_of("z") == 1);
+    // k is open, and z has an initial value.
+    const equation_system open = parse("x' = z; 0 = z - k*x; x(0) = 1; z(0) = 2");
+    CHECK(open.unknowns() == std::vector<std::string>{"x", "z"});
+    CHECK(open.is_open("k"));
+    // As many equations as unknowns: z is open.
+    CHECK(parse("x' = z; x(0) = 1").is_open("z"));
+}
+
 TEST_CASE("parameters and starts are changed one at a time", "[ode][parse]") {
     const auto system = parse("f'' = -k*f; f(0) = 1; f'(0) = 0; k = 1");
     const explicit_system solved(changed(changed(system, "k = 1/3"), "f'(0) = 2*k"));
@@ -186,6 +222,9 @@ TEST_CASE("wrong texts are told the place and the remedy", "[ode][parse]") {
          "another number"},
         {"y' = y; y(0) = y'",
          "problem 'y(0) = y'' at line 1, column 16 has a value that is not constant: give a number or parameters"},
+        {"y' = a*y; a = b; b = a*y; y(0) = 1",
+         "problem 'a' at line 1, column 11 needs itself: a -> b -> a: give one of them a number"},
+        {"y' = a*y; a = 2*y; y(0) = a", "problem 'a' depends on the solution or on time here: give a number"},
         {"y' = y; k = 1; k = 2; y(0) = 1",
          "problem 'k = 2' at line 1, column 16 gives k a second value: give it only one"},
         {"y' = $; y(0) = 1",

@@ -172,7 +172,10 @@ TEST_CASE("the catalogue has the problems it promises", "[problem][catalogue]") 
                                    "detest_f1",
                                    "detest_f2",
                                    "detest_f3",
-                                   "detest_f4"};
+                                   "detest_f4",
+                                   "akzo_nobel",
+                                   "transistor_amplifier",
+                                   "cartesian_pendulum"};
     for (const char group : std::string("abcde")) {
         for (const char which : std::string("12345")) {
             names.push_back(std::string("detest_") + group + which);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,7 +37,7 @@ struct start {
     place at = {};
 };
 
-/// A named constant, or a closed form of an unknown.
+/// A named constant; a name for an expression in the variable and the unknowns; or a closed form of an unknown.
 struct definition {
     std::string name;
     expression value;
@@ -113,10 +114,15 @@ struct equation_system {
     const definition* parameter_of(const std::string& name) const;
     /// Whether the text leaves the value of this parameter open.
     bool is_open(const std::string& name) const;
-    /// The highest derivative of an unknown in the equations; 0 if it does not occur.
+    /// The highest derivative of an unknown in the equations; 1 if it occurs without one, 0 if it does not occur.
     int order_of(const std::string& unknown) const;
+    /// Whether an unknown occurs in the equations, but no derivative of it.
+    bool is_algebraic(const std::string& unknown) const;
     /// Whether it has neither events nor step functions.
     bool is_smooth() const { return events.empty() && steps.empty(); }
+
+private:
+    std::optional<int> highest_derivative_of(const std::string& unknown) const;
 };
 
 /// The values of the parameters of a system, each computed once; they may depend on each other at any depth.
@@ -128,6 +134,9 @@ public:
     /// The expression with every parameter replaced by its exact value. Throws error for a parameter without a value
     /// and for parameters that depend on each other cyclically.
     expression in(const expression& e);
+    /// The same for an expression that is a number. Throws error for a parameter that depends on the variable or an
+    /// unknown.
+    number number_of(const expression& e);
 
 private:
     struct known_definition {
@@ -152,6 +161,8 @@ private:
 
 /// The same for a single expression. Throws error like parameter_values::in().
 expression with_values(const expression& e, const equation_system& system);
+/// The same for an expression that is a number. Throws error like parameter_values::number_of().
+number number_with_values(const expression& e, const equation_system& system);
 
 /// An unknown or a lower derivative at a time, which is constant and may contain parameters.
 struct value_at_time {

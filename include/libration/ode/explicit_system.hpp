@@ -45,13 +45,17 @@ struct singular_start {
 /// values.
 ///
 /// The given equations must be linear in the highest derivatives of their unknowns, with coefficients that may contain
-/// everything else; they are solved by elimination over expressions.
+/// everything else; they are solved by elimination over expressions. Equations from which elimination removes all
+/// highest derivatives, as 0 = x^2 + y^2 - 1, are algebraic: their derivatives take their place, as often as necessary
+/// (theorem D). An unknown without a derivative in the equations has order 1; its initial value may be left out where
+/// the algebraic equations are linear in it.
 class explicit_system {
 public:
     /// Throws error of the subject "problem" with the position and the remedy unless there are as many equations as
-    /// unknowns; an initial value for each unknown and its lower derivatives, all at one point; highest derivatives
-    /// that can be solved for linearly; and every function inside its domain at the initial point. A factor t^k or (t -
-    /// t0)^k on the highest derivative gives a regular singular initial point; an irregular singular one is rejected.
+    /// unknowns; an initial value for each unknown and its lower derivatives, all at one point, for which the algebraic
+    /// equations hold exactly; highest derivatives that can be solved for linearly; and every function inside its
+    /// domain at the initial point. A factor t^k or (t - t0)^k on the highest derivative gives a regular singular
+    /// initial point; an irregular singular one is rejected.
     explicit explicit_system(const equation_system& given);
     /// y_k' = right_k in the unknowns y_k, without initial values: for expansions about points given with their states.
     static explicit_system first_order(const std::vector<expression>& unknowns, std::vector<expression> right,
@@ -67,6 +71,9 @@ public:
     const std::vector<std::vector<number>>& starts() const { return starts_; }
     /// The form at the initial point if that is singular.
     const std::optional<singular_start>& singular() const { return singular_; }
+    /// Expressions that are 0 along the solution: the algebraic equations, and the derivatives of these that are
+    /// algebraic again.
+    const std::vector<expression>& algebraic() const { return algebraic_; }
     /// The invariants: expressions that are constant along a solution.
     const std::vector<expression>& invariants() const { return invariants_; }
     /// Closed forms of unknowns.
@@ -75,11 +82,13 @@ public:
 private:
     explicit_system() = default;
     void read_unknowns(const equation_system& given);
+    void read_equations(const std::vector<equation>& equations);
     void read_starts(const equation_system& given, parameter_values& parameters);
 
     std::string variable_;
     std::vector<unknown_function> unknowns_;
     std::vector<expression> right_;
+    std::vector<expression> algebraic_;
     number point_;
     std::vector<std::vector<number>> starts_;
     std::optional<singular_start> singular_;

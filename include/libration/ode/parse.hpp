@@ -18,6 +18,8 @@ inline constexpr std::size_t longest_name = 200;
 ///     f''' + f*f''/2 = 0                     equations
 ///     f(0) = 0; f'(0) = 0, f''(0) = k        initial values, all at one point
 ///     k = 1                                  parameters, in any order, may contain parameters
+///     r = k*f                                names for expressions in unknowns and the variable
+///     0 = f^2 + g^2 - 1                      algebraic equations
 ///     variable x                             the independent variable
 ///     invariant E - cos(y)                   constant along a solution
 ///     exact f = tan(t)                       a closed form
@@ -54,6 +56,10 @@ std::string canonical_text(std::string_view text);
 /// The system with parameters and initial values that are changed, or that were open, as `k = 1/3` or `f''(0) = 0.332,
 /// k = 2`. Throws error like parse(), and for a name that does not occur in the system.
 equation_system changed(equation_system system, std::string_view text);
+
+/// The system with a name for an expression in unknowns or time, as r of r = k*x*y, as one more unknown. Throws error for
+/// any other name.
+equation_system with_column(equation_system system, const std::string& name);
 
 /// left - right of a condition such as x' = 1/2 on the unknowns of a system, their lower derivatives and the variable,
 /// with its parameters replaced by their values. Throws error like parse().

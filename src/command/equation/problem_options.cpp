@@ -68,7 +68,8 @@ void require_values(const ode::equation_system& system, const std::string& words
     for (const std::string& name : system.unknowns()) {
         for (int order = 0; order < system.order_of(name); ++order) {
             const auto of = ode::unknown(name, order);
-            if (std::ranges::any_of(system.starts, [&](const ode::start& s) { return same_form(s.of, of); })) {
+            if (system.is_algebraic(name) ||
+                std::ranges::any_of(system.starts, [&](const ode::start& s) { return same_form(s.of, of); })) {
                 continue;
             }
             const std::string value = ode::primed(name, order) + "(0) = NUMBER";
@@ -105,6 +106,11 @@ void problem_options::add_to(CLI::App& command, closed_forms known, set_values s
                     "a parameter or initial value that the problem leaves open, or another one: k=1/3, \"f'(0)=1\"" +
                         of_families)
         ->type_name("X=VALUE");
+    command
+        .add_option("--show", shown_,
+                    "compute also what the problem names: r of r = k*x*y; several, separated by commas")
+        ->delimiter(',')
+        ->type_name("NAMES");
     if (known == closed_forms::used) {
         command.add_flag("--general", general_,
                          "by Taylor series even if the equations are those of a problem with a closed form");
@@ -185,8 +191,8 @@ bool problem_options::is_chosen() const {
     if (!problem_ && !changes_.empty()) {
         throw input_error("--set", changes_.front(), "requires --problem", "add --problem P");
     }
-    if (!problem_ && general_) {
-        throw input_error("--general requires --problem: add --problem P");
+    if (!problem_ && (general_ || !shown_.empty())) {
+        throw input_error(std::string(general_ ? "--general" : "--show") + " requires --problem: add --problem P");
     }
     return problem_.has_value();
 }
@@ -209,6 +215,9 @@ void problem_options::warn_of_unused(const std::string& written) const {
         for (const std::string& each : conditions == nullptr ? std::vector<std::string>() : conditions->results()) {
             used += "\n" + each;
         }
+    }
+    for (const std::string& each : shown_) {
+        used += "\ninvariant " + each;
     }
     try {
         warn_of_unused_parameters(used);
@@ -235,6 +244,9 @@ ode::equation_system problem_options::equations(
     for (const std::string& each : changes_) {
         require_changeable(system, each);
         system = naming_option("--set", [&] { return ode::changed(system, each); });
+    }
+    for (const std::string& each : shown_) {
+        system = naming_option("--show", [&] { return ode::with_column(system, each); });
     }
     require_values(system, *problem_);
     return system;

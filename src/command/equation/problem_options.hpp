@@ -92,6 +92,7 @@ private:
     const CLI::App* command_ = nullptr;
     std::optional<std::string> problem_;
     std::vector<std::string> changes_;
+    std::vector<std::string> shown_;
     bool general_ = false;
     bool announced_ = false;  ///< the first of a family has announced what holds for all
     mutable bool warned_ = false;

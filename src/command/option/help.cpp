@@ -83,6 +83,7 @@ const std::map<std::string, example_pair>& examples() {
          {"find --problem \"y' = k*y; y(0) = 1; k = 1\" --unknown k --such-that \"y(1) = 3\"",
           "find --problem \"y''=-e^y; y(0)=0; y'(0)=1/2\" --unknown \"y'(0)\" --such-that \"y(0)=y(1)\""}},
         {"problems", {"problems", "problems lorenz"}},
+        {"import", {"import model.xml", "import model.xml | grep when"}},
         {"singularities",
          {"singularities --problem \"x' = 1 + x^2; x(0) = 0\"", "singularities --problem painleve_1 --within 3"}}};
     return all;

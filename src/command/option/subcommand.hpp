@@ -31,5 +31,6 @@ subcommand claims_command(CLI::App& program);
 subcommand reproduce_command(CLI::App& program);
 subcommand verify_command(CLI::App& program);
 subcommand cite_command(CLI::App& program);
+subcommand import_command(CLI::App& program);
 
 }  // namespace libration

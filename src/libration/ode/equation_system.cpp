@@ -91,19 +91,26 @@ bool equation_system::is_open(const std::string& name) const {
     return std::ranges::find(open, name, &open_parameter::name) != open.end();
 }
 
-int equation_system::order_of(const std::string& unknown) const {
-    int order = 0;
+std::optional<int> equation_system::highest_derivative_of(const std::string& unknown) const {
+    std::optional<int> highest;
     for (const equation& each : equations) {
         for (const expression* side : {&each.left, &each.right}) {
             each_leaf(*side, [&](const expression& leaf) {
                 if (leaf.kind() == node_kind::unknown && leaf.name() == unknown) {
-                    order = std::max(order, leaf.derivative());
+                    highest = std::max(highest.value_or(0), leaf.derivative());
                 }
             });
         }
     }
-    return order;
+    return highest;
 }
+
+int equation_system::order_of(const std::string& unknown) const {
+    const auto highest = highest_derivative_of(unknown);
+    return highest ? std::max(*highest, 1) : 0;
+}
+
+bool equation_system::is_algebraic(const std::string& unknown) const { return highest_derivative_of(unknown) == 0; }
 
 parameter_values::parameter_values(const equation_system& system, std::map<std::string, expression> open)
     : without_value_(system.open), values_(std::move(open)) {
@@ -117,6 +124,15 @@ expression parameter_values::in(const expression& e) {
         find(name);
     }
     return substituted(e);
+}
+
+number parameter_values::number_of(const expression& e) {
+    const expression value = in(e);
+    if (value.kind() != node_kind::constant) {
+        const auto names = parameters_in(e);
+        refuse(names.empty() ? "" : names.front(), {}, "depends on the solution or on time here: give a number");
+    }
+    return value.constant();
 }
 
 expression parameter_values::substituted(const expression& e) const {
@@ -168,5 +184,9 @@ void parameter_values::open(const std::string& name) {
 }
 
 expression with_values(const expression& e, const equation_system& system) { return parameter_values(system).in(e); }
+
+number number_with_values(const expression& e, const equation_system& system) {
+    return parameter_values(system).number_of(e);
+}
 
 }  // namespace libration::ode

@@ -61,7 +61,7 @@ public:
                 refuse(each, {},
                        "is neither a parameter nor an initial value of the problem" + remedy_for(each, made_));
             }
-            values_.push_back(with_values(found->value, made_).constant());
+            values_.push_back(number_with_values(found->value, made_));
         }
     }
 
@@ -77,6 +77,11 @@ public:
             open.begin(unknown(names_[i]), expression(values_[i]), made_.starts.front().point);
         }
         opened_system made{explicit_system(open), values_, {}, leaves_, {}};
+        if (!made.system.algebraic().empty()) {
+            refuse("algebraic equations", {},
+                   "are not supported with free parameters and initial values, which would have to satisfy them: write "
+                   "the differential equations to which they lead");
+        }
         parameter_values in_starts = values_with([&](std::size_t i) { return leaves_[i]; });
         for (const expression& each : others) {
             made.others.push_back(in_starts.in(each));

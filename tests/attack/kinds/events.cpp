@@ -48,16 +48,6 @@ std::string command_of(const event_question& question) {
                        question.asked.condition, question.options, question.digits);
 }
 
-// The digits of a number of an event, or its bound.
-void judge_number(const ode::known_value& number, long digits, const truth& exact, const std::string& name,
-                  outcome& result) {
-    if (number.decimal) {
-        result.add(judged(*number.decimal, digits, exact), name + " = " + number.decimal->text);
-    } else {
-        result.add(judged_bounds("-" + number.bound, number.bound, exact), "|" + name + "| < " + number.bound);
-    }
-}
-
 void judge_events(const event_question& question, const std::vector<ode::known_event>& events, outcome& result) {
     const auto wanted = question.wanted();
     const auto& problem = question.asked.problem;
@@ -71,11 +61,11 @@ void judge_events(const event_question& question, const std::vector<ode::known_e
         const truth since = wanted[i].since;
         const rational origin = problem.origin;
         const truth time = [=] { return mpfr(real(origin) + since()); };
-        judge_number(events[i].time, question.digits, time, event + "time", result);
+        add_number(result, events[i].time, question.digits, time, event + "time");
         const std::size_t slope = problem.columns.size() - 1;
         if (problem.columns.size() > 1) {
             const truth value = [&] { return problem.values[slope](since()); };
-            judge_number(events[i].values[slope], question.digits, value, event + problem.columns[slope], result);
+            add_number(result, events[i].values[slope], question.digits, value, event + problem.columns[slope]);
         }
     }
 }

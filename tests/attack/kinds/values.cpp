@@ -30,6 +30,14 @@ verdict judged_existence(const std::string& message, double from, double singula
     return before ? verdict::refused : verdict::wrong;
 }
 
+void add_number(outcome& to, const ode::known_value& number, long digits, const truth& exact, const std::string& name) {
+    if (number.decimal) {
+        to.add(judged(*number.decimal, digits, exact), name + " = " + number.decimal->text);
+    } else if (!number.bound.empty()) {
+        to.add(judged_bounds("-" + number.bound, number.bound, exact), "|" + name + "| < " + number.bound);
+    }
+}
+
 long any_digits(choices& next) {
     switch (next.below(20)) {
         case 0: return next.between(140, 230);

@@ -177,14 +177,14 @@ void hybrid_system::read_starts(parameter_values& parameters) {
             if (found == given_.starts.end()) {
                 refuse(primed(name, j), {}, "has no initial value: add " + primed(name, j) + "(0) = number");
             }
-            const number point = parameters.in(found->point).constant();
+            const number point = parameters.number_of(found->point);
             if (!first && (point - point_).sign() != 0) {
                 refuse(primed(name, j), found->at, "has another initial point: give all initial values at one point");
             }
             point_ = point;
             first = false;
             leaves_.push_back(leaf);
-            starts_.push_back(parameters.in(found->value).constant());
+            starts_.push_back(parameters.number_of(found->value));
         }
     }
     for (const start& each : given_.starts) {
@@ -227,7 +227,13 @@ std::vector<std::string> names_of_state(const hybrid_system& system) {
 
 explicit_system hybrid_system::branch(const step_values& values, const number& point,
                                       const std::vector<number>& state) const {
-    return explicit_system(equations(values, point, state));
+    explicit_system smooth(equations(values, point, state));
+    if (!smooth.algebraic().empty()) {
+        refuse("algebraic equations", {},
+               "are not supported beside events and piecewise functions: write the differential equations to which "
+               "they lead");
+    }
+    return smooth;
 }
 
 equation_system hybrid_system::equations(const step_values& values, const number& point,

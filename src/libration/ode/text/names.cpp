@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <utility>
 
 #include "libration/scalar/expression.hpp"
 #include "piecewise.hpp"
@@ -15,12 +16,16 @@ constexpr std::array<std::string_view, 4> names_of_columns{"n", "time", "digits"
 
 bool is_name(const token& word) { return word.kind == token_kind::name; }
 
+void require_no_column(const std::string& name, const place& at) {
+    if (std::ranges::find(names_of_columns, name) != names_of_columns.end()) {
+        refuse(name, at, "is the name of a column of tables: choose another");
+    }
+}
+
 // As an unknown, which is the name of a column of tables.
 void require_free_column(const token& name, const std::string& variable) {
     require_free_name(name, variable);
-    if (std::ranges::find(names_of_columns, name.text) != names_of_columns.end()) {
-        refuse(name.text, name.at, "is the name of a column of tables: choose another");
-    }
+    require_no_column(name.text, name.at);
 }
 
 bool is_definition_of(const statement& words, const std::string& name) {
@@ -180,6 +185,34 @@ std::vector<open_parameter> open_names(const std::vector<statement>& all, const 
         }
     }
     return open;
+}
+
+void add_algebraic_unknowns(const std::vector<statement>& all, known_names& names, std::vector<open_parameter>& open) {
+    const auto is_equation = [&](const statement& words) {
+        return !is_keyword(words, "variable") && !is_keyword(words, "exact") && !is_invariant(words) &&
+               !is_start(words, names.variable) && !is_definition(words, names);
+    };
+    const auto equations = static_cast<std::size_t>(std::ranges::count_if(all, is_equation));
+    if (equations <= names.unknowns.size()) {
+        return;
+    }
+    const std::size_t missing = equations - names.unknowns.size();
+    const auto has_start = [&](const open_parameter& each) {
+        return std::ranges::any_of(all, [&](const statement& words) {
+            return is_start(words, names.variable) && words[0].primes == 0 && words[0].text == each.name;
+        });
+    };
+    const bool every_one = open.size() == missing;
+    std::vector<open_parameter> rest;
+    for (const open_parameter& each : open) {
+        if (every_one || has_start(each)) {
+            require_no_column(each.name, each.at);
+            names.unknowns.insert(each.name);
+        } else {
+            rest.push_back(each);
+        }
+    }
+    open = std::move(rest);
 }
 
 bool is_definition(const statement& words, const known_names& names) {

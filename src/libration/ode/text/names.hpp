@@ -48,6 +48,10 @@ known_names names_in(const std::vector<statement>& all, const std::string& varia
 /// The other names that are not reserved, at their first occurrence: parameters whose value is open.
 std::vector<open_parameter> open_names(const std::vector<statement>& all, const known_names& known);
 
+/// Where there are more equations than unknowns, moves unknowns without a derivative from the names that are open: all
+/// if these are as many as are missing, otherwise those with an initial value.
+void add_algebraic_unknowns(const std::vector<statement>& all, known_names& names, std::vector<open_parameter>& open);
+
 /// k = ...: the definition of a parameter, which is a name without primes and not an unknown.
 bool is_definition(const statement& words, const known_names& names);
 

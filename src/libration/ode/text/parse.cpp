@@ -11,6 +11,7 @@
 #include "libration/ode/unused_parameters.hpp"
 #include "libration/scalar/text/near_word.hpp"
 #include "names.hpp"
+#include "shorthand.hpp"
 #include "statement.hpp"
 
 namespace libration::ode {
@@ -28,6 +29,7 @@ public:
         std::vector<statement> with_names = all_;
         std::ranges::move(statements_in(events_), std::back_inserter(with_names));
         result_.open = open_names(with_names, names_);
+        add_algebraic_unknowns(all_, names_, result_.open);
         for (const open_parameter& each : result_.open) {
             names_.parameters.insert(each.name);
         }
@@ -57,6 +59,7 @@ public:
         for (const event_statement& each : events_) {
             read_event(each);
         }
+        replace_shorthands(result_);
         return std::move(result_);
     }
 
@@ -75,11 +78,8 @@ public:
         } else if (is_definition(words, names_)) {
             read_parameter(words);
         } else {
-            const auto side = [&](std::size_t first, std::size_t last) {
-                return read_formula(words, first, last, names_, formula_role::equation, nullptr, &result_.steps);
-            };
-            expression left = side(0, equals);
-            result_.equations.push_back({std::move(left), side(equals + 1, words.size()), words[0].at});
+            expression left = side(words, 0, equals);
+            result_.equations.push_back({std::move(left), side(words, equals + 1, words.size()), words[0].at});
         }
     }
 
@@ -108,6 +108,11 @@ private:
         return read_formula(words, first, last, names_, formula_role::equation);
     }
 
+    // Of an equation.
+    expression side(const statement& words, std::size_t first, std::size_t last) {
+        return read_formula(words, first, last, names_, formula_role::equation, nullptr, &result_.steps);
+    }
+
     expression constant(const statement& words, std::size_t first, std::size_t last, const std::string& what) const {
         expression value = read_formula(words, first, last, names_, formula_role::value);
         if (!value.is_constant()) {
@@ -134,7 +139,13 @@ private:
         if (!defined_.insert(name).second) {
             refuse(whole(words), words[0].at, "gives " + name + " a second value: give it only one");
         }
-        result_.parameters.push_back({name, constant(words, 2, words.size(), "value"), words[0].at});
+        const bool depends_on_solution = std::any_of(words.begin() + 2, words.end(), [&](const token& word) {
+            return word.kind == token_kind::name &&
+                   (word.text == names_.variable || names_.unknowns.contains(word.text));
+        });
+        expression value =
+            depends_on_solution ? side(words, 2, words.size()) : constant(words, 2, words.size(), "value");
+        result_.parameters.push_back({name, std::move(value), words[0].at});
     }
 
     void read_exact_solution(const statement& words) {
@@ -224,11 +235,18 @@ equation_system changed(equation_system system, std::string_view text) {
         refuse(std::string(text), more.equations.front().at,
                "is neither a parameter nor an initial value: write k = 1 or f(0) = 1");
     }
+    const auto shorthands = shorthands_of(system);
     for (const definition& each : more.parameters) {
         if (system.parameter_of(each.name) == nullptr && !system.is_open(each.name)) {
             refuse_parameter(each, system);
         }
+        if (shorthands.contains(each.name)) {
+            refuse(each.name, each.at, "is a name for an expression in unknowns or time: change it in the problem");
+        }
         system.set(each.name, each.value);
+        if (shorthands_of(system).contains(each.name)) {
+            refuse(each.name, each.at, "has a value that is not constant: give a number or parameters");
+        }
     }
     for (const start& each : more.starts) {
         const auto found =

@@ -19,7 +19,7 @@ mpfr ten_to(long exponent) { return pow(mpfr(10), static_cast<int>(exponent)); }
 power_series<mpfr> polynomial(std::vector<mpfr> coefficients) { return power_series<mpfr>(std::move(coefficients)); }
 
 mpfr parameter_of(const equation_system& given, const std::string& name) {
-    return ode::constant_value<mpfr>::of(with_values(ode::parameter(name), given).constant());
+    return ode::constant_value<mpfr>::of(number_with_values(ode::parameter(name), given));
 }
 
 mpfr start_of(const explicit_system& system, std::size_t unknown, std::size_t derivative) {

@@ -51,7 +51,7 @@ mpfr shot(const equation_system& given, const std::string& name, int target, con
     if (guess == nullptr) {
         throw error(error_kind::argument, "problem", "", "has no parameter " + name);
     }
-    const number start = with_values(guess->value, given).constant();
+    const number start = number_with_values(guess->value, given);
     mpfr value = constant_value<mpfr>::of(start);
     const long bits = static_cast<long>(digits<mpfr>());
     mpfr offset = ldexp(mpfr(1), -14);

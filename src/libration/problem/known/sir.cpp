@@ -49,7 +49,7 @@ far_behaviour far_from_sir(const std::string& name, const equation_system& given
 std::vector<proved_decimal> what_sir_leaves(const equation_system& system, long digits) {
     const explicit_system solved(system);
     const auto value_of = [&](const char* name) {
-        return ode::with_values(system.parameter_of(name)->value, system).constant();
+        return ode::number_with_values(system.parameter_of(name)->value, system);
     };
     const auto left = proved_value(digits, [&] {
         return ode::epidemic_remainder(ode::constant_value<ball>::of(solved.starts()[0][0]),

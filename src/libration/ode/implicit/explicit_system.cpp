@@ -1,13 +1,15 @@
 #include "libration/ode/explicit_system.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
 
+#include "../singular_form.hpp"
+#include "../start_values.hpp"
+#include "consistent_starts.hpp"
+#include "index_reduction.hpp"
 #include "libration/scalar/error.hpp"
-#include "linear_solution.hpp"
-#include "singular_form.hpp"
-#include "start_values.hpp"
 
 namespace libration::ode {
 
@@ -76,7 +78,6 @@ explicit_system::explicit_system(const equation_system& given) : variable_(given
     parameter_values parameters(given);
     read_unknowns(given);
     read_starts(given, parameters);
-    start_values values(leaves_at_start(*this));
     std::vector<equation> equations;
     for (const equation& each : given.equations) {
         named("equation", each.at, [&] {
@@ -84,19 +85,38 @@ explicit_system::explicit_system(const equation_system& given) : variable_(given
             return 0;
         });
     }
-    std::vector<expression> targets;
-    for (const unknown_function& each : unknowns_) {
-        targets.push_back(unknown(each.name, each.order));
+    read_equations(equations);
+    for (const equation& each : given.invariants) {
+        invariants_.push_back(parameters.in(each.left));
     }
-    right_ = linear_solution(equations, targets, [&](const expression& c) {
-        return !values.refusal_of(c) && values.value_of(c).sign() != 0;
-    });
+    for (const definition& each : given.exact) {
+        exact_.push_back({each.name, parameters.in(each.value), each.at});
+    }
+}
+
+void explicit_system::read_equations(const std::vector<equation>& equations) {
+    std::vector<expression> highest;
+    for (const unknown_function& each : unknowns_) {
+        highest.push_back(unknown(each.name, each.order));
+    }
+    const auto reduced_by = [&](start_values values) {
+        return reduced(equations, highest,
+                       [&](const expression& c) { return !values.refusal_of(c) && values.value_of(c).sign() != 0; });
+    };
+    reduced_system found = reduced_by(start_values(leaves_at_start(*this)));
+    if (complete_starts(unknowns_, point_, found.algebraic, starts_)) {
+        found = reduced_by(start_values(leaves_at_start(*this)));
+    }
+    right_ = std::move(found.right);
+    start_values values(leaves_at_start(*this));
+    require_consistent(found.algebraic, values);
+    std::ranges::transform(found.algebraic, std::back_inserter(algebraic_), &algebraic_equation::zero);
     for (std::size_t i = 0; i < right_.size(); ++i) {
         const auto reason = values.refusal_of(right_[i]);
         if (!reason) {
             continue;
         }
-        singular_ = singular_form(unknowns_, right_, point_, values);
+        singular_ = algebraic_.empty() ? singular_form(unknowns_, right_, point_, values) : std::nullopt;
         if (!singular_) {
             refuse(primed(unknowns_[i].name, unknowns_[i].order), {},
                    "cannot be expanded about the initial point, because its right-hand side " + *reason +
@@ -104,11 +124,11 @@ explicit_system::explicit_system(const equation_system& given) : variable_(given
         }
         break;
     }
-    for (const equation& each : given.invariants) {
-        invariants_.push_back(parameters.in(each.left));
-    }
-    for (const definition& each : given.exact) {
-        exact_.push_back({each.name, parameters.in(each.value), each.at});
+    // t y' = t y is singular; z w' = 0 does not determine w where z = 0 for all times.
+    if (std::ranges::any_of(found.doubtful, [&](const expression& c) { return !singular_ || c.has_unknowns(); })) {
+        refuse("", {},
+               "has a coefficient of a highest derivative that is not proved nonzero at the initial point: choose "
+               "another initial point, or equations that determine the highest derivatives");
     }
 }
 
@@ -126,11 +146,7 @@ explicit_system explicit_system::first_order(const std::vector<expression>& unkn
 void explicit_system::read_unknowns(const equation_system& given) {
     const auto orders = orders_of(given.equations);
     for (const std::string& name : given.unknowns()) {
-        const int order = orders.at(name);
-        if (order == 0) {
-            refuse(name, {}, "occurs without a derivative: add an equation for " + name + "'");
-        }
-        unknowns_.push_back({name, order});
+        unknowns_.push_back({name, std::max(orders.at(name), 1)});
     }
     if (unknowns_.empty()) {
         refuse("", {}, "has no unknown: write an equation with a derivative, as y' = y");
@@ -149,6 +165,7 @@ void explicit_system::read_unknowns(const equation_system& given) {
 
 void explicit_system::read_starts(const equation_system& given, parameter_values& parameters) {
     const start* first = nullptr;
+    const auto orders = orders_of(given.equations);
     const auto places = places_of(unknowns_);
     std::vector<std::vector<std::optional<number>>> found;
     for (const unknown_function& each : unknowns_) {
@@ -156,7 +173,7 @@ void explicit_system::read_starts(const equation_system& given, parameter_values
     }
     for (const start& each : given.starts) {
         const std::string name = primed(each.of.name(), each.of.derivative());
-        const number at = named(name, each.at, [&] { return parameters.in(each.point).constant(); });
+        const number at = named(name, each.at, [&] { return parameters.number_of(each.point); });
         if (first != nullptr && !same_number(at, point_)) {
             refuse(name, each.at,
                    "has another initial point than " + primed(first->of.name(), first->of.derivative()) +
@@ -176,16 +193,17 @@ void explicit_system::read_starts(const equation_system& given, parameter_values
         if (of_unknown[order]) {
             refuse(name, each.at, "has two initial values: give it only one");
         }
-        of_unknown[order] = named(name, each.at, [&] { return parameters.in(each.value).constant(); });
+        of_unknown[order] = named(name, each.at, [&] { return parameters.number_of(each.value); });
     }
     for (std::size_t i = 0; i < unknowns_.size(); ++i) {
         auto& values = starts_.emplace_back();
         for (std::size_t j = 0; j < found[i].size(); ++j) {
-            if (!found[i][j]) {
+            if (found[i][j]) {
+                values.push_back(*found[i][j]);
+            } else if (orders.at(unknowns_[i].name) > 0) {
                 const std::string name = primed(unknowns_[i].name, static_cast<int>(j));
                 refuse(name, {}, "has no initial value: add " + name + "(0) = number");
             }
-            values.push_back(*found[i][j]);
         }
     }
 }

@@ -128,10 +128,8 @@ private:
 // Elimination: the pivot of each step is the simplest coefficient by which division is possible.
 class elimination {
 public:
-    elimination(std::vector<linear_form> rows, const std::vector<equation>& equations,
-                const std::vector<expression>& targets, const nonzero_test& may_divide)
+    elimination(std::vector<linear_form> rows, const std::vector<expression>& targets, const nonzero_test& may_divide)
         : rows_(std::move(rows)),
-          equations_(equations),
           targets_(targets),
           may_divide_(may_divide),
           row_of_(targets.size()),
@@ -144,9 +142,40 @@ public:
         }
     }
 
-    std::vector<expression> solve() {
+    linear_result solve() {
+        linear_result result;
+        const bool determined = eliminate();
+        result.doubtful = std::move(doubtful_);
+        if (determined) {
+            for (std::size_t i = 0; i < targets_.size(); ++i) {
+                result.values.push_back(-rows_[*row_of_[i]].rest);
+            }
+            return result;
+        }
+        for (std::size_t row = 0; row < rows_.size(); ++row) {
+            if (!used_[row] && rows_[row].is_free()) {
+                result.constraints.push_back({row, rows_[row].rest});
+            }
+        }
+        if (result.constraints.empty()) {
+            refuse_undetermined();
+        }
+        return result;
+    }
+
+private:
+    struct choice {
+        std::size_t row, column;
+    };
+
+    // Whether every target has a row.
+    bool eliminate() {
         for (std::size_t step = 0; step < targets_.size(); ++step) {
-            const auto [row, column] = pivot();
+            const auto next = pivot();
+            if (!next) {
+                return false;
+            }
+            const auto [row, column] = *next;
             used_[row] = true;
             row_of_[column] = row;
             normalize(row, column);
@@ -157,20 +186,11 @@ public:
                 }
             }
         }
-        std::vector<expression> result;
-        for (std::size_t i = 0; i < targets_.size(); ++i) {
-            result.push_back(-rows_[*row_of_[i]].rest);
-        }
-        return result;
+        return true;
     }
 
-private:
-    struct choice {
-        std::size_t row, column;
-    };
-
     // The first of the simplest ones: a constant without another coefficient in its row is the simplest possible.
-    choice pivot() const {
+    std::optional<choice> pivot() const {
         std::optional<choice> best;
         int least = 0;
         for (std::size_t row = 0; row < rows_.size() && (!best || least > 1); ++row) {
@@ -185,10 +205,7 @@ private:
                 }
             }
         }
-        if (!best) {
-            refuse_undetermined();
-        }
-        return *best;
+        return best;
     }
 
     int cost_of(std::size_t row, const expression& c) const {
@@ -198,6 +215,9 @@ private:
 
     void normalize(std::size_t row, std::size_t column) {
         const expression by = rows_[row].coefficients.at(column);
+        if (by.kind() != node_kind::constant && !may_divide_(by)) {
+            doubtful_.push_back(by);
+        }
         rows_[row] = rows_[row].mapped([&](const expression& c) { return c / by; });
     }
 
@@ -214,12 +234,6 @@ private:
     }
 
     [[noreturn]] void refuse_undetermined() const {
-        for (std::size_t i = 0; i < rows_.size(); ++i) {
-            if (!used_[i] && rows_[i].is_free()) {
-                refuse("equation " + std::to_string(i + 1), equations_[i].at,
-                       "has no separate highest derivative: use its derivative instead");
-            }
-        }
         for (std::size_t i = 0; i < targets_.size(); ++i) {
             if (!row_of_[i]) {
                 refuse(primed(targets_[i].name(), targets_[i].derivative()), {},
@@ -230,18 +244,18 @@ private:
     }
 
     std::vector<linear_form> rows_;
-    const std::vector<equation>& equations_;
     const std::vector<expression>& targets_;
     const nonzero_test& may_divide_;
     std::vector<std::optional<std::size_t>> row_of_;
     std::vector<bool> used_;
+    std::vector<expression> doubtful_;
     std::vector<std::set<std::size_t>> rows_with_;  // a superset of the rows with a coefficient in a column
 };
 
 }  // namespace
 
-std::vector<expression> linear_solution(const std::vector<equation>& equations, const std::vector<expression>& targets,
-                                        const nonzero_test& may_divide) {
+linear_result linear_solution(const std::vector<equation>& equations, const std::vector<expression>& targets,
+                              const nonzero_test& may_divide) {
     target_indices indices;
     for (std::size_t i = 0; i < targets.size(); ++i) {
         indices.emplace(primed(targets[i].name(), targets[i].derivative()), i);
@@ -251,7 +265,7 @@ std::vector<expression> linear_solution(const std::vector<equation>& equations, 
         const expression zero = each.left - each.right;
         rows.push_back(linear_reading(targets, indices, each).form(zero));
     }
-    return elimination(std::move(rows), equations, targets, may_divide).solve();
+    return elimination(std::move(rows), targets, may_divide).solve();
 }
 
 }  // namespace libration::ode

@@ -1,0 +1,197 @@
+#include "formula.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <vector>
+
+namespace libration::import {
+
+LIBSBML_CPP_NAMESPACE_USE
+
+namespace {
+
+class writer {
+public:
+    writer(const name_meaning& names, const std::string& time) : names_(names), time_(time) {}
+
+    formula of(const ASTNode& e) const {
+        switch (static_cast<int>(e.getType())) {
+            case AST_INTEGER: return number(std::to_string(e.getInteger()), e.getInteger() < 0);
+            case AST_REAL: return number(decimal_of(e.getReal()), e.getReal() < 0);
+            case AST_REAL_E:
+                return number(decimal_of(e.getMantissa()) + "e" + std::to_string(e.getExponent()), e.getMantissa() < 0);
+            case AST_RATIONAL: return {fmt::format("{}/{}", e.getNumerator(), e.getDenominator()), binding::product};
+            case AST_NAME: return names_(e.getName());
+            case AST_NAME_TIME: return {time_};
+            case AST_NAME_AVOGADRO: return number("6.02214179e23", false);
+            case AST_CONSTANT_PI: return {"pi"};
+            case AST_CONSTANT_E: return {"exp(1)"};
+            case AST_PLUS: return joined(e, " + ", binding::sum, "0");
+            case AST_TIMES: return joined(e, "*", binding::product, "1");
+            case AST_MINUS: return difference(e);
+            case AST_DIVIDE:
+                return {child(e, 0).within(binding::product) + "/" + child(e, 1).within(binding::power),
+                        binding::product};
+            case AST_POWER:
+            case AST_FUNCTION_POWER: return power(child(e, 0), child(e, 1));
+            case AST_FUNCTION_ROOT: return root(e);
+            case AST_FUNCTION_LOG: return logarithm(e);
+            case AST_FUNCTION_PIECEWISE: return piecewise(e, 0);
+            default: return function(e);
+        }
+    }
+
+private:
+    static formula number(const std::string& text, bool negative) {
+        return {text, negative ? binding::sum : binding::name};
+    }
+
+    formula child(const ASTNode& e, unsigned int i) const {
+        const ASTNode* const found = e.getChild(i);
+        if (found == nullptr) {
+            throw unsupported("a formula without an operand");
+        }
+        return of(*found);
+    }
+
+    formula joined(const ASTNode& e, const std::string& sign, binding binds, const std::string& none) const {
+        if (e.getNumChildren() < 2) {
+            return e.getNumChildren() == 0 ? formula{none} : child(e, 0);
+        }
+        std::string text = child(e, 0).within(binds);
+        for (unsigned int i = 1; i < e.getNumChildren(); ++i) {
+            const formula next = child(e, i);
+            // a + (b + c) and a + (-b) keep their parentheses.
+            text += sign + next.within(binds == binding::sum ? binding::product : binding::power);
+        }
+        return {text, binds};
+    }
+
+    formula difference(const ASTNode& e) const {
+        if (e.getNumChildren() == 1) {
+            return {"-" + child(e, 0).within(binding::product), binding::sum};
+        }
+        return {child(e, 0).within(binding::sum) + " - " + child(e, 1).within(binding::product), binding::sum};
+    }
+
+    static formula power(const formula& base, const formula& exponent) {
+        return {base.within(binding::name) + "^" + exponent.within(binding::name), binding::power};
+    }
+
+    formula root(const ASTNode& e) const {
+        const formula degree = e.getNumChildren() == 1 ? formula{"2"} : child(e, 0);
+        const formula argument = child(e, e.getNumChildren() - 1);
+        return degree.text == "2" ? formula{"sqrt(" + argument.text + ")"}
+                                  : power(argument, {"1/" + degree.within(binding::name), binding::product});
+    }
+
+    formula logarithm(const ASTNode& e) const {
+        const formula base = e.getNumChildren() == 1 ? formula{"10"} : child(e, 0);
+        const std::string argument = "log(" + child(e, e.getNumChildren() - 1).text + ")";
+        return {argument + "/log(" + base.text + ")", binding::product};
+    }
+
+    // value, condition, value, condition, ..., otherwise.
+    formula piecewise(const ASTNode& e, unsigned int first) const {
+        if (first + 1 == e.getNumChildren()) {
+            return child(e, first);
+        }
+        if (first >= e.getNumChildren()) {
+            throw unsupported("a piecewise function without a value for all other cases");
+        }
+        return {chosen(*e.getChild(first + 1), child(e, first).text, piecewise(e, first + 2).text)};
+    }
+
+    // if(condition, a, b).
+    std::string chosen(const ASTNode& condition, const std::string& a, const std::string& b) const {
+        switch (static_cast<int>(condition.getType())) {
+            case AST_LOGICAL_AND: return chosen_by_all(condition, 0, a, b);
+            case AST_LOGICAL_OR: return chosen_by_one(condition, 0, a, b);
+            case AST_LOGICAL_NOT: return chosen(*condition.getChild(0), b, a);
+            case AST_CONSTANT_TRUE: return a;
+            case AST_CONSTANT_FALSE: return b;
+            default: break;
+        }
+        const relation holds = relation_of(condition);
+        return fmt::format("if({} > {}, {}, {})", of(*holds.left).text, of(*holds.right).text, a, b);
+    }
+
+    std::string chosen_by_all(const ASTNode& all, unsigned int i, const std::string& a, const std::string& b) const {
+        return i == all.getNumChildren() ? a : chosen(*all.getChild(i), chosen_by_all(all, i + 1, a, b), b);
+    }
+
+    std::string chosen_by_one(const ASTNode& all, unsigned int i, const std::string& a, const std::string& b) const {
+        return i == all.getNumChildren() ? b : chosen(*all.getChild(i), a, chosen_by_one(all, i + 1, a, b));
+    }
+
+    formula function(const ASTNode& e) const {
+        static const std::map<int, std::string> names{
+            {AST_FUNCTION_EXP, "exp"},       {AST_FUNCTION_LN, "log"},        {AST_FUNCTION_SIN, "sin"},
+            {AST_FUNCTION_COS, "cos"},       {AST_FUNCTION_TAN, "tan"},       {AST_FUNCTION_ARCSIN, "asin"},
+            {AST_FUNCTION_ARCCOS, "acos"},   {AST_FUNCTION_ARCTAN, "atan"},   {AST_FUNCTION_SINH, "sinh"},
+            {AST_FUNCTION_COSH, "cosh"},     {AST_FUNCTION_TANH, "tanh"},     {AST_FUNCTION_ARCSINH, "asinh"},
+            {AST_FUNCTION_ARCCOSH, "acosh"}, {AST_FUNCTION_ARCTANH, "atanh"}, {AST_FUNCTION_ABS, "abs"},
+            {AST_FUNCTION_FLOOR, "floor"},   {AST_FUNCTION_MIN, "min"},       {AST_FUNCTION_MAX, "max"}};
+        static const std::map<int, std::string> reciprocals{{AST_FUNCTION_SEC, "cos"},   {AST_FUNCTION_CSC, "sin"},
+                                                            {AST_FUNCTION_COT, "tan"},   {AST_FUNCTION_SECH, "cosh"},
+                                                            {AST_FUNCTION_CSCH, "sinh"}, {AST_FUNCTION_COTH, "tanh"}};
+        if (const auto found = names.find(e.getType()); found != names.end()) {
+            return call(found->second, e, 0);
+        }
+        if (const auto found = reciprocals.find(e.getType()); found != reciprocals.end()) {
+            return {"1/" + call(found->second, e, 0).text, binding::product};
+        }
+        throw unsupported(fmt::format("the function {}", e.getName() != nullptr ? e.getName() : "of a formula"));
+    }
+
+    // f(a), f(a, b), and f(a, f(b, c)).
+    formula call(const std::string& name, const ASTNode& e, unsigned int first) const {
+        std::string text = name + "(" + child(e, first).text;
+        if (first + 2 < e.getNumChildren()) {
+            text += ", " + call(name, e, first + 1).text;
+        } else if (first + 1 < e.getNumChildren()) {
+            text += ", " + child(e, first + 1).text;
+        }
+        return {text + ")"};
+    }
+
+    const name_meaning& names_;
+    const std::string& time_;
+};
+
+}  // namespace
+
+formula formula_of(const ASTNode& node, const name_meaning& names, const std::string& time) {
+    return writer(names, time).of(node);
+}
+
+relation relation_of(const ASTNode& condition) {
+    const bool two_sides = condition.getNumChildren() == 2;
+    switch (static_cast<int>(condition.getType())) {
+        case AST_RELATIONAL_GT:
+        case AST_RELATIONAL_GEQ:
+            if (two_sides) {
+                return {condition.getChild(0), condition.getChild(1)};
+            }
+            break;
+        case AST_RELATIONAL_LT:
+        case AST_RELATIONAL_LEQ:
+            if (two_sides) {
+                return {condition.getChild(1), condition.getChild(0)};
+            }
+            break;
+        default: break;
+    }
+    throw unsupported("a condition other than <, <=, > and >= between two numbers");
+}
+
+std::string decimal_of(double value) {
+    if (!std::isfinite(value)) {
+        throw unsupported("a number that is not finite");
+    }
+    return fmt::format("{}", value);
+}
+
+}  // namespace libration::import

@@ -1,0 +1,127 @@
+// `libration import`: models in SBML as problems, whose solutions have closed forms.
+#include <sys/wait.h>
+
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "command/printed.hpp"
+#include "command/refusal.hpp"
+#include "libration/ode/hybrid/hybrid_system.hpp"
+#include "libration/ode/parse.hpp"
+#include "libration/ode/trajectory.hpp"
+#include "libration/scalar/scalar.hpp"
+
+namespace import_test {
+
+using namespace libration;
+using namespace libration::tests;
+
+namespace {
+
+std::string model(const std::string& name) { return std::string(LIBRATION_SOURCE_DIR) + "/tests/import/" + name; }
+
+// A model of level 3 version 2 with this content.
+std::string file_with(const temporary_folder& folder, const std::string& content) {
+    const std::string file = (folder.path() / "model.xml").string();
+    std::ofstream(file)
+        << R"(<?xml version="1.0" encoding="UTF-8"?>)"
+        << R"(<sbml xmlns="http://www.sbml.org/sbml/level3/version2/core" level="3" version="2"><model>)" << content
+        << "</model></sbml>";
+    return file;
+}
+
+// A rate rule of x with this formula in MathML.
+std::string with_rate(const std::string& formula) {
+    return R"(<listOfParameters><parameter id="x" value="1" constant="false"/></listOfParameters><listOfRules>)"
+           R"(<rateRule variable="x"><math xmlns="http://www.w3.org/1998/Math/MathML">)" +
+           formula + "</math></rateRule></listOfRules>";
+}
+
+}  // namespace
+
+TEST_CASE("reactions and rules of a model have the solution in closed form", "[import]") {
+    const precision_scope scope(40);
+    const ode::explicit_system system(ode::parse(output_of({"import", model("reactions.xml")})));
+    std::map<std::string, mpfr> at;
+    const auto states = ode::trajectory(system, {ode::number(rational(2))}, 30);
+    for (std::size_t i = 0; i < system.unknowns().size(); ++i) {
+        at[system.unknowns()[i].name] = states.front()[i][0];
+    }
+    const mpfr a = mpfr(3) / 2 * exp(mpfr(-1) / 2);  // A' = -A/4, in the volume 2
+    const mpfr tolerance = pow(mpfr(10), -29);       // 30 digits of numbers below 10
+    CHECK(abs(at["A"] - a) < tolerance);
+    CHECK(abs(at["B"] - (6 - 4 * a)) < tolerance);  // 2 of B, an amount, for each A
+    CHECK(abs(at["w"] - 2 * a) < tolerance);        // an algebraic rule
+    CHECK(abs(at["v"] - exp(mpfr(-2))) < tolerance);
+    CHECK(abs(at["amount_e"] - 3) < tolerance);  // its concentration is 3/v
+}
+
+TEST_CASE("events and piecewise functions of a model are those of a problem", "[import]") {
+    CHECK(output_of({"import", model("events.xml")}) ==
+          "# A ramp that is reset, and a charge with two rates\nx' = 1\nresets' = 0\ny' = if(1 > t, 2, -1)*y\n"
+          "x(0) = 0.5\nresets(0) = 0\ny(0) = 1\nwhen x = 1 up: x = x - 1; resets = resets + 1\n");
+}
+
+TEST_CASE("formulas of a model keep their order of operations", "[import]") {
+    const std::vector<std::pair<std::string, std::string>> formulas{
+        {"<apply><minus/><ci>x</ci><apply><minus/><ci>x</ci><cn>2</cn></apply></apply>", "x - (x - 2)"},
+        {"<apply><divide/><cn>1</cn><apply><divide/><ci>x</ci><cn>2</cn></apply></apply>", "1/(x/2)"},
+        {"<apply><power/><apply><minus/><ci>x</ci></apply><apply><power/><cn>2</cn><cn>3</cn></apply></apply>",
+         "(-x)^(2^3)"},
+        {"<apply><times/><apply><plus/><ci>x</ci><cn>-1.5</cn></apply><cn type=\"e-notation\">2<sep/>-400</cn></apply>",
+         "(x + (-1.5))*2e-400"},
+        {"<apply><root/><degree><cn>3</cn></degree><ci>x</ci></apply>", "x^(1/3)"},
+        {"<apply><log/><logbase><cn>2</cn></logbase><ci>x</ci></apply>", "log(x)/log(2)"},
+    };
+    for (const auto& [mathml, text] : formulas) {
+        const temporary_folder folder;
+        const std::string printed = output_of({"import", file_with(folder, with_rate(mathml))});
+        CHECK(printed.find("x' = " + text + "\n") != std::string::npos);
+        CHECK_NOTHROW(ode::parse(printed));
+    }
+}
+
+TEST_CASE("values of a test suite are compared with proved ones", "[import]") {
+    const temporary_folder folder;
+    const auto add = [&](const std::string& number, const std::string& variables, const std::string& results) {
+        const auto place = folder.path() / number;
+        std::filesystem::create_directory(place);
+        std::filesystem::copy_file(model("reactions.xml"), place / (number + "-sbml-l3v2.xml"));
+        std::ofstream(place / (number + "-settings.txt"))
+            << "start: 0\nduration: 2\nsteps: 1\nvariables: " + variables + "\nabsolute: 1e-9\nrelative: 1e-6\n";
+        std::ofstream(place / (number + "-results.csv")) << results;
+    };
+    // A(2) = 3/2 exp(-1/2), s = A + B = 6 - 3 A, and e = 3 exp(2), a concentration in a volume that shrinks.
+    add("00001", "A, s", "time,A,s\n0,1.5,1.5\n2,0.9097959896,3.270612031\n");
+    add("00002", "A", "time,A\n0,1.5\n2,0.9098\n");
+    const std::string line = "python3 -B '" + std::string(LIBRATION_SOURCE_DIR) + "/peers/sbml_suite.py' '" +
+                             folder.path().string() + "' --program '" + LIBRATION_COMMAND + "' > '" +
+                             (folder.path() / "printed").string() + "'";
+    CHECK(WEXITSTATUS(std::system(line.c_str())) == 1);
+    std::ifstream printed(folder.path() / "printed");
+    std::string first;
+    std::string second;
+    std::getline(printed, first);
+    std::getline(printed, second);
+    CHECK(first == "00001  4 values agree");
+    CHECK(second == "00002  beyond its tolerance  A(2) = 0.9098, proved 0.909795989568950");
+}
+
+TEST_CASE("what a problem cannot express is reported", "[import]") {
+    const temporary_folder folder;
+    check_refused({"import", "none.xml"}, {"FILE 'none.xml' is not read"}, folder);
+    file_with(folder, with_rate("<apply><factorial/><ci>x</ci></apply>"));
+    check_refused({"import", "model.xml"}, {"contains the function factorial, which is not supported"}, folder);
+    file_with(folder,
+              "<listOfParameters><parameter id=\"x\" constant=\"false\"/></listOfParameters>"
+              "<listOfRules><algebraicRule><math xmlns=\"http://www.w3.org/1998/Math/MathML\"><cn>1</cn></math>"
+              "</algebraicRule></listOfRules>");
+    check_refused({"import", "model.xml"}, {"1 algebraic rules for 0 quantities"}, folder);
+}
+
+}  // namespace import_test
