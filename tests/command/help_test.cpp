@@ -73,7 +73,7 @@ TEST_CASE("every --help ends with two examples, which run, in lines of at most 1
         REQUIRE(examples.size() == 2);
         CHECK(help.ends_with(examples.back() + "\n"));
         const temporary_folder folder;
-        std::filesystem::copy_file(std::string(LIBRATION_SOURCE_DIR) + "/tests/import/events.xml",
+        std::filesystem::copy_file(std::string(LIBRATION_SOURCE_DIR) + "/docs/examples/model.xml",
                                    folder.path() / "model.xml");
         for (const std::string& example : examples) {
             INFO(example);

@@ -23,7 +23,7 @@ using namespace libration::tests;
 
 namespace {
 
-std::string model(const std::string& name) { return std::string(LIBRATION_SOURCE_DIR) + "/tests/import/" + name; }
+std::string model(const std::string& name) { return std::string(LIBRATION_SOURCE_DIR) + "/" + name; }
 
 // A model of level 3 version 2 with this content.
 std::string file_with(const temporary_folder& folder, const std::string& content) {
@@ -46,7 +46,7 @@ std::string with_rate(const std::string& formula) {
 
 TEST_CASE("reactions and rules of a model have the solution in closed form", "[import]") {
     const precision_scope scope(40);
-    const ode::explicit_system system(ode::parse(output_of({"import", model("reactions.xml")})));
+    const ode::explicit_system system(ode::parse(output_of({"import", model("tests/import/reactions.xml")})));
     std::map<std::string, mpfr> at;
     const auto states = ode::trajectory(system, {ode::number(rational(2))}, 30);
     for (std::size_t i = 0; i < system.unknowns().size(); ++i) {
@@ -62,7 +62,7 @@ TEST_CASE("reactions and rules of a model have the solution in closed form", "[i
 }
 
 TEST_CASE("events and piecewise functions of a model are those of a problem", "[import]") {
-    CHECK(output_of({"import", model("events.xml")}) ==
+    CHECK(output_of({"import", model("docs/examples/model.xml")}) ==
           "# A ramp that is reset, and a charge with two rates\nx' = 1\nresets' = 0\ny' = if(1 > t, 2, -1)*y\n"
           "x(0) = 0.5\nresets(0) = 0\ny(0) = 1\nwhen x = 1 up: x = x - 1; resets = resets + 1\n");
 }
@@ -91,7 +91,7 @@ TEST_CASE("values of a test suite are compared with proved ones", "[import]") {
     const auto add = [&](const std::string& number, const std::string& variables, const std::string& results) {
         const auto place = folder.path() / number;
         std::filesystem::create_directory(place);
-        std::filesystem::copy_file(model("reactions.xml"), place / (number + "-sbml-l3v2.xml"));
+        std::filesystem::copy_file(model("tests/import/reactions.xml"), place / (number + "-sbml-l3v2.xml"));
         std::ofstream(place / (number + "-settings.txt"))
             << "start: 0\nduration: 2\nsteps: 1\nvariables: " + variables + "\nabsolute: 1e-9\nrelative: 1e-6\n";
         std::ofstream(place / (number + "-results.csv")) << results;
