@@ -25,7 +25,7 @@ libraries=(-lfmt -lsqlite3 -lcrypto -lhwy -lflint-arb -lflint -lmpfr -lgmp -lpth
 sources_of() {
     case $1 in
         number) printf '%s\n' "$root"/src/libration/scalar/*.cpp "$root"/src/libration/scalar/*/*.cpp \
-            "$root"/src/libration/digits/*.cpp "$root"/src/command/run/grid.cpp ;;
+            "$root"/src/libration/digits/*.cpp ;;
         csv) printf '%s\n' "$root"/src/command/text/csv_records.cpp ;;
         coefficient_list) printf '%s\n' "$root"/src/libration/scalar/*.cpp "$root"/src/libration/scalar/*/*.cpp \
             "$root"/src/libration/digits/*.cpp ;;

@@ -8,8 +8,8 @@
 #include "libration/scalar/dispatch.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/exact.hpp"
+#include "libration/scalar/text/grid.hpp"
 #include "libration/scalar/text/written_number.hpp"
-#include "run/grid.hpp"
 
 namespace {
 

@@ -473,7 +473,7 @@ TEST_CASE("a crooked house is noticed", "[house]") {
             CHECK(complaints_if(from, include(to)).size() == 1);
         }
         for (const std::string& general :
-             {std::string("src/command/text/table.hpp"), std::string("src/command/run/grid.hpp"),
+             {std::string("src/command/text/table.hpp"), std::string("src/command/run/progress.hpp"),
               std::string("src/command/option/options.hpp"), sweep}) {
             INFO(general);
             CHECK(complaints_if(general, include(pendulum)).size() == 1);

@@ -5,7 +5,7 @@
 
 #include "libration/ode/parse.hpp"
 #include "libration/scalar/error.hpp"
-#include "run/grid.hpp"
+#include "libration/scalar/text/grid.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {

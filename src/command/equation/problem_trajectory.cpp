@@ -7,7 +7,7 @@
 
 #include "libration/ode/constant_value.hpp"
 #include "libration/problem/axis.hpp"
-#include "run/grid.hpp"
+#include "libration/scalar/text/grid.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {

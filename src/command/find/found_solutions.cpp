@@ -8,7 +8,7 @@
 
 #include "equation/swept_problem.hpp"
 #include "libration/digits/proved/two_proofs.hpp"
-#include "run/grid.hpp"
+#include "libration/scalar/text/grid.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {

@@ -6,9 +6,9 @@
 #include <cctype>
 #include <filesystem>
 
+#include "libration/scalar/text/grid.hpp"
 #include "list/coefficient_file.hpp"
 #include "option/options.hpp"
-#include "run/grid.hpp"
 #include "text/column_file.hpp"
 #include "text/input_error.hpp"
 #include "text/quotation.hpp"

@@ -6,7 +6,7 @@
 
 #include "equation/problem_trajectory.hpp"
 #include "libration/ode/parse.hpp"
-#include "run/grid.hpp"
+#include "libration/scalar/text/grid.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {

@@ -12,9 +12,9 @@
 #include "libration/pendulum/time/dimensionless_time.hpp"
 #include "libration/problem/known/pendulum.hpp"
 #include "libration/scalar/text/decimal.hpp"
+#include "libration/scalar/text/grid.hpp"
 #include "motion/motion_cells.hpp"
 #include "option/options.hpp"
-#include "run/grid.hpp"
 #include "run/progress.hpp"
 #include "text/input_error.hpp"
 

@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "libration/scalar/text/decimal.hpp"
+#include "libration/scalar/text/grid.hpp"
 #include "option/output_place.hpp"
-#include "run/grid.hpp"
 #include "text/input_error.hpp"
 #include "text/latex.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "run/grid.hpp"
+#include "libration/scalar/text/grid.hpp"
 
 namespace libration {
 

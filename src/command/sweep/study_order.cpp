@@ -8,8 +8,8 @@
 #include <string_view>
 #include <thread>
 
+#include "libration/scalar/text/grid.hpp"
 #include "option/options.hpp"
-#include "run/grid.hpp"
 #include "run/whole_grid.hpp"
 #include "text/input_error.hpp"
 

@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "libration/scalar/text/grid.hpp"
 #include "option/options.hpp"
-#include "run/grid.hpp"
 #include "table/complex_argument.hpp"
 #include "table/elliptic_columns.hpp"
 #include "text/input_error.hpp"

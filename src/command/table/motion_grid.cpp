@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "libration/scalar/text/grid.hpp"
 #include "motion/motion_options.hpp"
-#include "run/grid.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {

@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "equation/problem_options.hpp"
+#include "libration/scalar/text/grid.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
-#include "run/grid.hpp"
 #include "run/progress.hpp"
 #include "sweep/named_order.hpp"
 #include "sweep/study_files.hpp"

@@ -1,4 +1,4 @@
-// Lists and ranges of exact numbers in the notation of the command line.
+// Lists and ranges of exact numbers.
 #pragma once
 
 #include <string>

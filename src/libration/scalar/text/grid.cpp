@@ -1,4 +1,4 @@
-#include "run/grid.hpp"
+#include "libration/scalar/text/grid.hpp"
 
 #include <algorithm>
 #include <charconv>
