@@ -647,28 +647,52 @@ static List* section(const char* word, long exponents, long** k, long count) {  
 
 // ---------------------------------------------------------------------------------------------- head of a certificate
 typedef struct {
-    char *variable, *condition, **start;
+    char *variable, *condition, *vary, **start;
     Row *equation, *zero, *claim;
-    long equations, states, n, functions, zeros, claims, steps;  // n: of unknowns, with the added ones
-    Q t0, *ends;                                                 // t0, and both times of each zero
-    Scope scope;                                                 // the variable, the unknowns
-    Poly* right;                                                 // y_(i+1)' = right[i], then g and g'
+    long equations, states, n, functions, zeros, claims, steps, bits;  // n: of unknowns, with the added ones
+    Q t0, *ends;                                                       // t0, and both times of each zero
+    Scope scope;                                                       // the variable, the unknowns
+    Poly* right;                                                       // y_(i+1)' = right[i], then g and g'
+    Poly* by_start;                                                    // the derivatives of y_(i+1) by a start
     int zero_start, sign;
 } Problem;
 
-static Poly slope(const Problem* p, Poly u) {  // the derivative along the solution
-    Poly r = partial(u, 0);
-    for (int k = 0; k < p->n; ++k) r = poly_plus(r, poly_times(partial(u, k + 1), p->right[k]));
+static Poly along(Poly u, const Poly* way, long n) {  // the derivative, from those of the n unknowns
+    Poly r = terms(0);
+    for (int k = 0; k < n; ++k) r = poly_plus(r, poly_times(partial(u, k + 1), way[k]));
     return r;
+}
+static Poly slope(const Problem* p, Poly u) {  // the derivative along the solution
+    return poly_plus(partial(u, 0), along(u, p->right, p->n));
+}
+static void add_unknown(Problem* p, const char* name) {
+    p->scope.name[p->scope.names] = (Name){.name = name, .own = variable((int)p->scope.names)};
+    ++p->scope.names;
 }
 static void add_name(Problem* p, const char* text, size_t length) {
     char* name = memcpy(take(length + 1), text, length);
     name[length] = 0;
     form(length > 0 && name_length(name) == length, "'%s' is not a name", name);
     form(find_name(&p->scope, name) == NULL, "two meanings of the name '%s'", name);
-    p->scope.name[p->scope.names] = (Name){.name = name, .own = variable((int)p->scope.names)};
-    ++p->scope.names;
+    add_unknown(p, name);
 }
+static char* derivative_name(const char* of) {
+    char* name;
+    gmp_asprintf(&name, "d(%s)", of);
+    return name;
+}
+static void add_derivatives(Problem* p) {  // of the unknowns by one of their starts
+    int known = 0;
+    for (long i = 1; i <= p->states; ++i) {
+        const char* name = p->scope.name[i].name;
+        int own = strcmp(name, p->vary) == 0;
+        known = known || own;
+        add_unknown(p, derivative_name(name));
+        p->scope.name[p->states + i].start = (Interval){q(own), q(own)};
+    }
+    form(known, "no start of '%s'", p->vary);
+}
+static long given(const Problem* p) { return p->vary == NULL ? p->states : 2 * p->states; }
 static Tree* defined_by(const Tree* t) {  // the argument of an added unknown
     int known = t->kind == '^' || (t->kind == '/' && t->a->kind == '0' && mpq_cmp_si(t->a->number, 1, 1) == 0);
     for (const char** f = (const char*[]){"exp", "log", "sin", "cos", NULL}; t->kind == 'f' && *f != NULL; ++f)
@@ -676,7 +700,7 @@ static Tree* defined_by(const Tree* t) {  // the argument of an added unknown
     form(known, "'%s' does not define a function", formula_text);
     return t->kind == '/' ? t->b : t->a;
 }
-static Poly slope_of(const Problem* p, const Added* a) {  // of an added unknown, by the chain rule
+static Poly rule_of(const Problem* p, const Added* a) {  // the derivative of an added unknown by its argument
     Q r = a->exponent;
     char* rule = "w";
     if (strcmp(a->kind, "log") == 0) rule = "1/u";
@@ -690,13 +714,13 @@ static Poly slope_of(const Problem* p, const Added* a) {  // of an added unknown
             gmp_asprintf(&rule, "(%Qd)*w/u", r);
     }
     Name both[] = {{.name = "u", .own = a->u}, {.name = "w", .own = a->own}};
-    return poly_times(polynomial(formula(rule), &(Scope){both, p->scope.added, 2, p->scope.addeds}), slope(p, a->u));
+    return polynomial(formula(rule), &(Scope){both, p->scope.added, 2, p->scope.addeds});
 }
 static void make_polynomial_form(Problem* p, Row* define, long defined) {
     Scope* s = &p->scope;
     s->names = 1;
     for (long i = 0; i < p->states; ++i) s->name[1 + i].start = enclosure(formula(p->start[i]), &(Scope){.names = 0});
-    s->names = 1 + p->states;
+    s->names = 1 + given(p);
     for (long i = 0; i < defined; ++i, ++s->addeds, ++s->names) {
         Tree *t = formula(define[i][1]), *u = defined_by(t);
         Name* w = &s->name[s->names];
@@ -708,8 +732,16 @@ static void make_polynomial_form(Problem* p, Row* define, long defined) {
             p->right[k] = s->name[k + 2].own;
         p->right[k++] = polynomial(formula(p->equation[i][1]), s);
     }
-    for (p->n = p->states; p->n < p->states + defined; ++p->n)
-        p->right[p->n] = slope_of(p, &s->added[p->n - p->states]);
+    for (p->n = p->states; p->n < given(p); ++p->n) {
+        p->right[p->n] = p->by_start[p->n] = terms(0);
+        p->by_start[p->n - p->states] = s->name[p->n + 1].own;
+    }
+    for (const Added* a = s->added; a < s->added + defined; ++a, ++p->n) {
+        Poly rule = rule_of(p, a);
+        p->right[p->n] = poly_times(rule, slope(p, a->u));
+        p->by_start[p->n] = p->vary == NULL ? terms(0) : poly_times(rule, along(a->u, p->by_start, p->n));
+    }
+    for (long i = p->states; i < given(p); ++i) p->right[i] = along(p->right[i - p->states], p->by_start, p->n);
     if (p->condition == NULL) return;
     Poly g = p->right[p->n] = polynomial(formula(p->condition), s);
     p->right[p->n + 1] = slope(p, g);
@@ -727,10 +759,29 @@ static void make_polynomial_form(Problem* p, Row* define, long defined) {
     }
     p->zero_start = exact && mpq_sgn(total) == 0;
 }
+static long zero_of(const Problem* p, const char* time) {  // the number of the zero #k, or 0
+    char name[32];
+    long k = *time == '#' ? strtol(time + 1, NULL, 10) : 0;
+    snprintf(name, sizeof name, "#%ld", k);
+    return k > 0 && k <= p->zeros && strcmp(name, time) == 0 ? k : 0;
+}
+static char* first_of(char* at) {  // of FIRST:LAST
+    char *colon = strchr(at, ':'), *copy = take(strlen(at) + 1);
+    strcpy(copy, at);
+    if (colon != NULL) copy[colon - at] = 0;
+    return copy;
+}
+static char* last_of(char* at) { return strchr(at, ':') == NULL ? at : strchr(at, ':') + 1; }
+static void check_times(const Problem* p, char* at) {  // of a claim
+    if (zero_of(p, at) > 0) return;
+    Q first = fraction(first_of(at)), last = fraction(last_of(at));
+    int ordered = mpq_sgn(times(minus(first, p->t0), minus(last, first))) >= 0;
+    form(strchr(at, ':') == NULL || (p->vary != NULL && ordered), "an unclear time");
+}
 static Problem* read_problem(void) {
     Problem* p = take(sizeof *p);
     *p = (Problem){.n = 0};
-    long starts, defined, conditions, *both;
+    long starts, varied, defined, conditions, *both;
     form(strcmp(line("libration-certificate"), "1") == 0, "not a certificate of version 1");
     p->variable = line("variable");
     p->t0 = fraction(line("at"));
@@ -741,19 +792,24 @@ static Problem* read_problem(void) {
         p->states += (long)strlen(prime);
     }
     p->start = all("start", &starts);
+    char** vary = all("vary", &varied);
     Row* define = rows("define", " = ", 2, &defined);
     form(starts == p->states, "there are %ld starts of %ld unknowns", starts, p->states);
-    p->right = take((size_t)(starts + defined + 2) * sizeof *p->right);
-    p->scope.name = take((size_t)(starts + defined + 1) * sizeof(Name));
+    form(varied < 2, "there are derivatives by two starts");
+    p->vary = varied > 0 ? vary[0] : NULL;
+    p->right = take((size_t)(2 * starts + defined + 2) * sizeof *p->right);
+    p->by_start = take((size_t)(2 * starts + defined) * sizeof *p->by_start);
+    p->scope.name = take((size_t)(2 * starts + defined + 1) * sizeof(Name));
     p->scope.added = take((size_t)defined * sizeof(Added));
     add_name(p, p->variable, strlen(p->variable));
     for (long i = 0; i < p->equations; ++i)
         for (const char *x = p->equation[i][0], *end = strchr(x, '\''); *end != 0; ++end) add_name(p, x, end - x);
+    if (p->vary != NULL) add_derivatives(p);
     for (long i = 0; i < defined; ++i) add_name(p, define[i][0], strlen(define[i][0]));
     p->scope.name[0].start = exactly(p->t0);
     char** condition = all("condition", &conditions);
     both = integers("bits", 2);
-    bits = both[0];
+    p->bits = bits = both[0];
     start_bits = both[1];
     form(16 <= bits && bits <= start_bits, "the numbers of bits are out of range");
     p->zero = rows("zero", " ", 2, &p->zeros);
@@ -766,7 +822,8 @@ static Problem* read_problem(void) {
     form(p->claims > 0, "there is no claim");
     for (long i = 0; i < p->claims; ++i) {
         const Name* y = find_name(&p->scope, p->claim[i][1]);
-        form(y != NULL && y > p->scope.name && y <= p->scope.name + p->states, "an unclear claim");
+        form(y != NULL && y > p->scope.name && y <= p->scope.name + given(p), "an unclear claim");
+        check_times(p, p->claim[i][0]);
     }
     p->steps = *integers("steps", 1);
     make_polynomial_form(p, define, defined);
@@ -1096,17 +1153,11 @@ static void check_growth(const Step* s, const Field* f) {
 static Q place(const Step* s, Q time) {  // as a value of x
     return minus(over(times(q(2), minus(time, s->begin)), s->length), q(1));
 }
-static long zero_of(const Problem* p, const char* time) {  // the number of the zero #k, or 0
-    char name[32];
-    long k = *time == '#' ? strtol(time + 1, NULL, 10) : 0;
-    snprintf(name, sizeof name, "#%ld", k);
-    return k > 0 && k <= p->zeros && strcmp(name, time) == 0 ? k : 0;
-}
 static int check_claim(const Step* s, Row claim) {  // true if its last time is in the step: its interval has the tube
     const Problem* p = s->problem;
     long k = zero_of(p, claim[0]), n = s->n;
-    Q first = place(s, k > 0 ? p->ends[2 * k - 1] : fraction(claim[0])),
-      last = k > 0 ? place(s, p->ends[2 * k]) : first;
+    Q first = place(s, k > 0 ? p->ends[2 * k - 1] : fraction(first_of(claim[0])));
+    Q last = place(s, k > 0 ? p->ends[2 * k] : fraction(last_of(claim[0])));
     Q u = largest(first, q(-1)), v = least(last, q(1)), two = q(2), d = over(minus(v, u), two);
     if (!at_most(u, v)) return 0;
     long i = find_name(&p->scope, claim[1]) - p->scope.name - 1, e = s->scale[i];
@@ -1212,24 +1263,33 @@ static Problem* check_one(char* text) {  // a certificate that is proved
     region = PROBLEM;
     return p;
 }
-static void print_statement(const Problem* p) {
+// The equations with their starts, on an interval that contains the initial time and all these times.
+static void print_head(const Problem* p, char** times, long count) {
     char *t0 = mpq_get_str(NULL, 10, p->t0), *first = t0, *last = t0;
     Q low = p->t0, high = low;
-    for (long k = 0; k < 2 * p->zeros + p->claims; ++k) {
-        char* text = k < 2 * p->zeros ? p->zero[k / 2][k % 2] : p->claim[k - 2 * p->zeros][0];
-        if (zero_of(p, text) > 0) continue;
-        Q time = fraction(text);
-        if (mpq_cmp(time, low) < 0) low = time, first = text;
-        if (mpq_cmp(time, high) >= 0) high = time, last = text;
+    for (long k = 0; k < count; ++k) {
+        Q time = fraction(times[k]);
+        if (mpq_cmp(time, low) < 0) low = time, first = times[k];
+        if (mpq_cmp(time, high) >= 0) high = time, last = times[k];
     }
-    printf("The solution of\n");
+    printf("solution of\n");
     for (long i = 0; i < p->equations; ++i)
         printf("%s%s = %s", i > 0 ? ",  " : "    ", p->equation[i][0], p->equation[i][1]);
     for (long i = 0; i < p->states; ++i)
         printf("%s%s(%s) = %s", i > 0 ? ",  " : ",\n    ", p->scope.name[i + 1].name, t0, p->start[i]);
     printf("\nexists on [%s, %s], and\n", first, last);
+}
+static void print_statement(const Problem* p) {
+    char** times = take((size_t)(2 * p->zeros + p->claims) * sizeof *times);
+    long count = 0;
+    for (; count < 2 * p->zeros; ++count) times[count] = p->zero[count / 2][count % 2];
+    for (long i = 0; i < p->claims; ++i)
+        if (zero_of(p, p->claim[i][0]) == 0) times[count++] = p->claim[i][0];
+    need(p->vary == NULL, "derivatives without a root");
+    printf("Proved:\nThe ");
+    print_head(p, times, count);
     if (p->condition != NULL) {
-        printf("%s = 0 from %s, excluded, to %s only at ", p->condition, t0, p->zero[p->zeros - 1][1]);
+        gmp_printf("%s = 0 from %Qd, excluded, to %s only at ", p->condition, p->t0, p->zero[p->zeros - 1][1]);
         for (long k = 1; k <= p->zeros; ++k) printf("#%ld%s", k, k < p->zeros ? ", " : ", and\n");
     }
     for (long k = 0; k < p->zeros; ++k) {
@@ -1241,55 +1301,202 @@ static void print_statement(const Problem* p) {
         printf("    %s(%s) lies in [%s, %s]%s\n", c[1], c[0], c[2], c[3], i + 1 < p->claims ? "," : ".");
     }
 }
+
+// ------------------------------------------------------------------------------------------------------------- roots
+/* F(u) = 0 for one u in a box, m in the middle, r at most half of its widths, since |C F(m)| + |1 - C F'| r < r. The
+   values F are those of the first certificate; each column of F' is that of a certificate for all starts in the box, with
+   the derivatives by one of them; if the time is an unknown, the last column has the derivatives y' by it. */
+typedef struct {
+    char **field, *name, *goal;
+} Goal;
+typedef struct {
+    char *name, *middle, *low, *high;
+    Q radius;
+} Unknown;
+typedef struct {
+    Problem** problem;  // the first is of one start
+    long problems, goals, unknowns, *moved;
+    char *middle, *ends;  // times
+    Goal* goal;
+    Unknown* unknown;
+    Interval *F, *columns;  // column j from columns[j * goals] on
+} Root;
+
 static int same_texts(const char* a, const char* b) { return strcmp(a, b) == 0; }
 static int of_one_problem(const Problem* a, const Problem* b) {
     int equal = same_texts(a->variable, b->variable) && mpq_equal(a->t0, b->t0) && a->equations == b->equations;
     for (long i = 0; i < a->equations && equal; ++i)
         equal = same_texts(a->equation[i][0], b->equation[i][0]) && same_texts(a->equation[i][1], b->equation[i][1]);
-    return equal && same_texts(a->claim[0][0], b->claim[0][0]) && same_texts(a->claim[0][1], b->claim[0][1]);
+    return equal;
 }
-// Certificates for two starts and all between them: what follows.
-static void check_three(char* low_text, char* high_text, char* both_text, const char* behind) {
-    Problem *low = check_one(low_text), *high = check_one(high_text), *both = check_one(both_text);
-    need(of_one_problem(low, high) && of_one_problem(low, both) && low->zeros == 0 && *behind == 0,
-         "three certificates that are not of one problem");
-    long k = 0;
-    for (long i = low->states - 1; i >= 0; --i)
-        if (!same_texts(low->start[i], high->start[i])) k = i;
-    char *first = low->start[k], *last = high->start[k], *between = take(strlen(first) + strlen(last) + 5);
-    sprintf(between, "[%s, %s]", first, last);
-    int match = 1;
-    for (long i = 0; i < low->states; ++i) {
-        match = match && same_texts(both->start[i], i == k ? between : low->start[i]);
-        match = match && (i == k || same_texts(low->start[i], high->start[i]));
+static char* time_of_claims(Problem* const* first, long count) {
+    char* time = first[0]->claim[0][0];
+    for (Problem* const* p = first; p < first + count; ++p)
+        for (long i = 0; i < (*p)->claims; ++i) form(same_texts(time, (*p)->claim[i][0]), "claims at different times");
+    return time;
+}
+static Interval claimed(const Problem* p, const char* name) {
+    for (long i = p->claims - 1; i >= 0; --i)
+        if (same_texts(p->claim[i][1], name)) return (Interval){fraction(p->claim[i][2]), fraction(p->claim[i][3])};
+    form(0, "no claim about '%s'", name);
+    return exactly(q(0));
+}
+static void check_problems(Root* r) {  // which starts are moved
+    const Problem *point = r->problem[0], *near = r->problem[1];
+    int equal = 1, match = point->vary == NULL;
+    for (long k = 1; k < r->problems; ++k) equal = equal && of_one_problem(point, r->problem[k]);
+    equal = equal && (strchr(r->ends, ':') != NULL || mpq_equal(fraction(r->middle), fraction(r->ends)));
+    need(equal, "certificates that are not of one problem");
+    r->moved = take((size_t)point->states * sizeof *r->moved);
+    for (long i = 0; i < point->states; ++i) {
+        if (!same_texts(point->start[i], near->start[i])) r->moved[r->unknowns++] = i;
+        for (long k = 1; k < r->problems; ++k) match = match && same_texts(r->problem[k]->start[i], near->start[i]);
+    }
+    match = match && r->unknowns == r->problems - 1;
+    for (long k = 0; k < r->unknowns && match; ++k) {
+        const char* vary = r->problem[k + 1]->vary;
+        match = vary != NULL && same_texts(vary, point->scope.name[r->moved[k] + 1].name);
     }
     need(match, "starts that do not match");
-    char **a = low->claim[0], **b = high->claim[0];
-    char* from = at_most(fraction(a[3]), fraction(b[3])) ? a[3] : b[3];
-    char* to = at_most(fraction(b[2]), fraction(a[2])) ? a[2] : b[2];
-    need(!at_most(fraction(to), fraction(from)), "values that are not apart");
-    printf("Proved:\n");
-    print_statement(low);
-    print_statement(high);
-    print_statement(both);
-    gmp_printf("For each number between %s and %s some %s(%Qd) in %s has %s(%s) equal to it.\n", from, to,
-               low->scope.name[k + 1].name, low->t0, between, a[1], a[0]);
+}
+static void read_goals(Root* r, char* text) {
+    long lines_of_text = 1, most = 1;
+    for (const char* s = text; *s != 0; ++s) lines_of_text += *s == '\n', most += *s == ' ' || *s == '\n';
+    char** each = take((size_t)lines_of_text * sizeof *each);
+    r->goals = split(text, "\n", each, lines_of_text) - 1;
+    r->goal = take((size_t)lines_of_text * sizeof *r->goal);
+    long unknowns = r->unknowns + (strchr(r->ends, ':') != NULL);
+    form(*each[r->goals] == 0 && r->goals == unknowns, "no such roots");
+    for (long i = 0; i < r->goals; ++i) {
+        char** field = take((size_t)most * sizeof *field);
+        long fields = split(each[i], " ", field, most);
+        form(fields == unknowns + 3 && same_texts(field[0], "root"), "no such roots");
+        r->goal[i] = (Goal){field + 3, field[1], field[2]};
+    }
+}
+// The value at the end less that at the start, or less a number; of certificate k > 0 its derivative.
+static Interval gap(const Root* r, long k, const Goal* goal) {
+    const Problem* p = r->problem[k];
+    const char* name = k > 0 ? derivative_name(goal->name) : goal->name;
+    Interval x = claimed(p, name);
+    if (same_texts(goal->goal, "start")) return linear(q(1), x, q(-1), find_name(&p->scope, name)->start);
+    Q number = k > 0 ? q(0) : fraction(goal->goal);
+    return (Interval){minus(x.low, number), minus(x.high, number)};
+}
+static Interval rate_of(const Problem* near, const char* name) {  // y' from the claims
+    long n = near->claims;
+    Name* known = take((size_t)n * sizeof *known);
+    for (long i = 0; i < n; ++i)
+        known[i] = (Name){.name = near->claim[i][1], .start = claimed(near, near->claim[i][1])};
+    start_bits = near->bits;
+    Interval found;
+    const char* primed = NULL;
+    for (long i = 0; i < near->equations; ++i) {
+        Interval x = enclosure(formula(near->equation[i][1]), &(Scope){.name = known, .names = n});
+        size_t length = strlen(name);
+        if (strncmp(near->equation[i][0], name, length) != 0 || !same_texts(near->equation[i][0] + length, "'"))
+            continue;
+        primed = near->equation[i][0];
+        found = x;
+    }
+    if (primed != NULL) return found;
+    char* text;
+    gmp_asprintf(&text, "%s'", name);
+    return claimed(near, text);
+}
+static void read_unknowns(Root* r) {
+    const Problem *point = r->problem[0], *near = r->problem[1];
+    long moved = r->unknowns;
+    r->unknown = take((size_t)(moved + 1) * sizeof *r->unknown);
+    for (long k = 0; k < moved; ++k) {
+        Unknown* u = &r->unknown[k];
+        char *text = near->start[r->moved[k]], *ends[2] = {NULL, NULL}, *copy = take(strlen(text) + 1);
+        gmp_asprintf(&u->name, "%s(%Qd)", point->scope.name[r->moved[k] + 1].name, point->t0);
+        u->middle = point->start[r->moved[k]];
+        strcpy(copy, text + 1);
+        copy[strlen(copy) - 1] = 0;
+        form(split(copy, ", ", ends, 2) == 2, "no interval of starts");
+        u->low = ends[0];
+        u->high = ends[1];
+    }
+    if (strchr(r->ends, ':') != NULL) {
+        char *a = first_of(r->ends), *b = last_of(r->ends);
+        int order = at_most(fraction(a), fraction(b));
+        r->unknown[r->unknowns++] = (Unknown){point->variable, r->middle, order ? a : b, order ? b : a, NULL};
+        for (long i = 0; i < r->goals; ++i) r->columns[moved * r->goals + i] = rate_of(near, r->goal[i].name);
+    }
+    for (Unknown* u = r->unknown; u < r->unknown + r->unknowns; ++u) {
+        Q middle = fraction(u->middle);
+        u->radius = largest(q(0), least(minus(middle, fraction(u->low)), minus(fraction(u->high), middle)));
+    }
+}
+static Q distance(Q* c, const Interval* x, long n, int y) {  // at least |sum c_i x_i - y|
+    Interval total = exactly(q(-y));
+    for (long i = 0; i < n; ++i) total = linear(q(1), total, c[i], x[i]);
+    return largest(absolute(total.low), absolute(total.high));
+}
+static void check_contraction(const Root* r) {
+    long n = r->goals;
+    Q* C = fractions(n * n);
+    for (long i = 0; i < n * n; ++i) C[i] = fraction(r->goal[i / n].field[i % n]);
+    for (long i = 0; i < n; ++i) {
+        Q total = distance(C + i * n, r->F, n, 0);
+        for (long j = 0; j < n; ++j)
+            total = plus(total, times(distance(C + i * n, r->columns + j * n, n, i == j), r->unknown[j].radius));
+        need(mpq_cmp(total, r->unknown[i].radius) < 0, "the condition for a root in %s", r->unknown[i].name);
+    }
+}
+static void print_root(const Root* r) {
+    const Problem *point = r->problem[0], *near = r->problem[1];
+    char *times[] = {first_of(r->ends), last_of(r->ends)}, *time = strchr(r->ends, ':') ? point->variable : r->middle;
+    printf("Proved:\nFor exactly one choice of ");
+    for (long k = 0; k < r->unknowns; ++k) {
+        const Unknown* u = &r->unknown[k];
+        printf("%s%s in [%s, %s]", k > 0 ? ", " : "", u->name, u->low, u->high);
+    }
+    printf(" the ");
+    print_head(near, times, 2);
+    for (long i = 0; i < r->goals; ++i) {
+        const Goal* g = &r->goal[i];
+        printf("%s    %s(%s) = ", i > 0 ? ",\n" : "", g->name, time);
+        if (same_texts(g->goal, "start"))
+            gmp_printf("%s(%Qd)", g->name, point->t0);
+        else
+            printf("%s", g->goal);
+    }
+    printf(".\n");
+}
+static void check_root(Root* r, char* rest) {
+    r->middle = time_of_claims(r->problem, 1);
+    r->ends = time_of_claims(r->problem + 1, r->problems - 1);
+    check_problems(r);
+    read_goals(r, rest);
+    r->F = take((size_t)(r->goals + 1) * sizeof *r->F);
+    r->columns = take((size_t)((r->unknowns + 1) * r->goals + 1) * sizeof *r->columns);
+    for (long i = 0; i < r->goals; ++i)
+        for (long k = 0; k < r->problems; ++k)
+            *(k == 0 ? &r->F[i] : &r->columns[(k - 1) * r->goals + i]) = gap(r, k, &r->goal[i]);
+    read_unknowns(r);
+    check_contraction(r);
+    print_root(r);
 }
 static void check(char* text) {
-    char *part[4], *end = "\nend\n", *at = text, *next;
+    char *end = "\nend\n", *at = text, *next;
     long n = 0;
-    for (; n < 4 && (next = strstr(at, end)) != NULL; at = next + strlen(end)) {
+    for (char* s = text; (s = strstr(s, end)) != NULL; s += strlen(end)) ++n;
+    if (n < 2) {
+        print_statement(check_one(text));
+        return;
+    }
+    Root r = {.problem = take((size_t)n * sizeof *r.problem), .problems = n};
+    for (long k = 0; k < n; ++k, at = next + strlen(end)) {
+        next = strstr(at, end);
         size_t size = next + strlen(end) - at;
-        part[n] = memcpy(take(size + 1), at, size);
-        part[n++][size] = 0;
+        char* part = memcpy(take(size + 1), at, size);
+        part[size] = 0;
+        r.problem[k] = check_one(part);
     }
-    if (n == 3) {
-        check_three(part[0], part[1], part[2], at);
-    } else {
-        Problem* p = check_one(text);
-        printf("Proved:\n");
-        print_statement(p);
-    }
+    check_root(&r, at);
 }
 static char* decompressed(FILE* file) {
     static unsigned char input[1 << 16];

@@ -6,38 +6,27 @@ Exit status: 0 if it is proved, 1 if a condition does not hold, 2 if the file is
 A polynomial in x on [-1, 1] is a list a of integers, with an exponent k that is kept apart:
     2^-k (a[0] + sum over j > 0 of 2 a[j] T_j(x)) = 2^-k (sum over |j| < len(a) of a[|j|] z^j),   x = (z + 1/z)/2,
 so that the sum of all |a[|j|]| is a bound, and products are products of polynomials in z."""
-import ast, math, re, sys, zlib
+import ast, itertools, math, re, sys, zlib
 from fractions import Fraction
 from functools import cache, reduce
 
-PARTS, ONE = 8, Fraction(1)        # of a step, on each of which the rate of a mode is bounded
-NAME = r"[^\W\d]\w*'*"
-class Refused(Exception):
-    status = 1
-class Malformed(Refused):
-    status = 2
+PARTS, ONE, NAME = 8, Fraction(1), r"[^\W\d]\w*'*"          # on each PART of a step the rate of a mode is bounded
+class Refused(Exception): status = 1
+class Malformed(Refused): status = 2
 def need(condition, reason, error=Refused):
-    if not condition:
-        raise error(reason)
-def form(condition, reason):
-    need(condition, reason, Malformed)
-def two(k):
-    return Fraction(2)**k
-def root_up(x):                                                                         # an integer >= sqrt(x)
-    return math.isqrt(x - 1) + 1 if x > 0 else 0
-def norm(a):                                                                            # at least |a(x)|
-    return 2 * sum(map(abs, a)) - abs(a[0]) if a else 0
+    if not condition: raise error(reason)
+def form(condition, reason): need(condition, reason, Malformed)
+def two(k): return Fraction(2)**k
+def root_up(x): return math.isqrt(x - 1) + 1 if x > 0 else 0                            # an integer >= sqrt(x)
+def norm(a): return 2 * sum(map(abs, a)) - abs(a[0]) if a else 0                        # at least |a(x)|
 def value(a, x):
     """a(x) by Clenshaw's recurrence b_j = a_j + 2 x b_(j+1) - b_(j+2), times powers of the denominator of x."""
-    u, v = x.numerator, x.denominator
-    b, power = [0, 0, 0], 1
+    u, v, b, power = x.numerator, x.denominator, [0, 0, 0], 1
     for c in reversed(a):
         b, power = [c * power + 2 * u * b[0] - v * v * b[1], b[0], b[1]], power * v
     return Fraction(b[0] - v * v * b[2], max(power // v, 1))
-def derivative(a):
-    return [sum(2 * k * a[k] for k in range(j + 1, len(a), 2)) for j in range(len(a) - 1)]
-def scaled(a, c):
-    return [c * x for x in a]
+def derivative(a): return [sum(2 * k * a[k] for k in range(j + 1, len(a), 2)) for j in range(len(a) - 1)]
+def scaled(a, c): return [c * x for x in a]
 def add(a, b):
     return [x + y for x, y in zip(a + [0] * (len(b) - len(a)), b + [0] * (len(a) - len(b)))]
 def dot(u, v):
@@ -59,17 +48,13 @@ def formula(text):
     def tree(node):
         if isinstance(node, ast.BinOp) and type(node.op) in OPERATORS:
             kind, a, b = OPERATORS[type(node.op)], tree(node.left), tree(node.right)
-            if kind == "^":
-                return kind, a, as_polynomial(b, {}, {}).get((), Fraction(0))
+            if kind == "^": return kind, a, as_polynomial(b, {}, {}).get((), Fraction(0))
             return ("+", a, ("*", -ONE, b)) if kind == "-" else (kind, a, b)
-        if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
-            return "*", -ONE, tree(node.operand)
+        if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub): return "*", -ONE, tree(node.operand)
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and len(node.args) == 1:
             return names[int(node.func.id[1:])], tree(node.args[0])
-        if isinstance(node, ast.Name):
-            return names[int(node.id[1:])]
-        if isinstance(node, ast.List) and len(node.elts) == 2:
-            return "between", tree(node.elts[0]), tree(node.elts[1])
+        if isinstance(node, ast.Name): return names[int(node.id[1:])]
+        if isinstance(node, ast.List) and len(node.elts) == 2: return "between", tree(node.elts[0]), tree(node.elts[1])
         form(isinstance(node, ast.Constant) and type(node.value) is int, "'%s' is not understood" % text)
         return Fraction(node.value)
     code = re.sub(r"(?<!\w)" + NAME, lambda m: names.append(m.group()) or "n%d" % (len(names) - 1), text, 0, re.ASCII)
@@ -77,8 +62,7 @@ def formula(text):
     return tree(ast.parse(code.strip().replace("^", "**"), mode="eval").body)
 # A polynomial in the variable (number 0) and the unknowns (1, 2, ...): {sorted tuple of numbers: coefficient}.
 def plus(a, b):
-    result = {m: a.get(m, 0) + b.get(m, 0) for m in {**a, **b}}
-    return {m: x for m, x in result.items() if x}
+    return {m: x for m in {**a, **b} if (x := a.get(m, 0) + b.get(m, 0))}
 def times(a, b):
     form(len(a) * len(b) <= 10**6 and all(len(m) <= 400 for m in [*a, *b]), "a polynomial is too large")
     return reduce(plus, [{tuple(sorted(m + k)): x * y for k, y in b.items()} for m, x in a.items()], {})
@@ -87,39 +71,35 @@ def power(a, n):
     return times(a, power(a, n - 1)) if n else {(): ONE}
 def partial(a, k):
     return {m[:m.index(k)] + m[m.index(k) + 1:]: x * m.count(k) for m, x in a.items() if k in m}
+def along(a, way):                                                 # the derivative of a, from those of its factors
+    return reduce(plus, [times(partial(a, k), f) for k, f in way.items()], {})
 def as_polynomial(tree, names, added):
     """`names`: polynomials of the names; `added`: those of the added unknowns, by (kind, argument, exponent)."""
     def find(kind, u, exponent=-ONE):
         key = kind, frozenset(u.items()), exponent
         form(key in added, "no added unknown is defined as the '%s' that an equation needs" % kind)
         return added[key]
-    if isinstance(tree, Fraction):
-        return {(): tree} if tree else {}
+    if isinstance(tree, Fraction): return {(): tree} if tree else {}
     if isinstance(tree, str):
         form(tree in names, "unknown name '%s'" % tree)
         return names[tree]
     kind, u = tree[0], as_polynomial(tree[1], names, added)
     if kind in ("+", "*", "/"):
         v = as_polynomial(tree[2], names, added)
-        if kind == "/":
-            v = {(): 1 / v[()]} if set(v) == {()} else find("/", v)
+        if kind == "/": v = {(): 1 / v[()]} if set(v) == {()} else find("/", v)
         return plus(u, v) if kind == "+" else times(u, v)
-    if kind != "^":
-        return find(kind, u)
+    if kind != "^": return find(kind, u)
     r = tree[2]
     if r.denominator == 1:
         inverse = {(): ONE / u[()]} if set(u) == {()} else find("/", u) if r < 0 else {}
         return power(u, r.numerator) if r >= 0 else power(inverse, -r.numerator)
-    if abs(r.numerator) > 64 or r.denominator > 6:
-        return find("^", u, r)
+    if abs(r.numerator) > 64 or r.denominator > 6: return find("^", u, r)
     k = max(0, math.ceil(r))
     return times(power(u, k), power(find("^", u, Fraction(-1, r.denominator)), k * r.denominator - r.numerator))
 class Enclosures:   # values of formulas as pairs (lower, upper) of fractions, to about `bits` bits behind the point
-    def __init__(self, bits):
-        self.bits = bits
+    def __init__(self, bits): self.bits = bits
     def of(self, tree, names):
-        if isinstance(tree, Fraction):
-            return tree, tree
+        if isinstance(tree, Fraction): return tree, tree
         if isinstance(tree, str):
             form(tree in names or tree == "pi", "unknown name '%s'" % tree)
             return names[tree] if tree in names else self.pi()
@@ -155,11 +135,10 @@ class Enclosures:   # values of formulas as pairs (lower, upper) of fractions, t
         """The sum of sign^j z^(2j+1)/(2j+1), |z| <= 1/3, and a bound of its error: 3 units a power, the rest."""
         bits = self.bits + 40
         factor = p = math.floor(z * two(bits))
-        total = count = 0
+        total = n = 0
         while abs(p) > 1:
-            total, count = total + sign**count * (p // (2 * count + 1)), count + 1
-            p = (p * factor >> bits) * factor >> bits
-        return total * two(-bits), (4 * count + 16) * two(-bits)
+            total, n, p = total + sign**n * (p // (2 * n + 1)), n + 1, (p * factor >> bits) * factor >> bits
+        return total * two(-bits), (4 * n + 16) * two(-bits)
     def log(self, x):
         """log(2^k m) = 2 artanh((m - 1)/(m + 1)) + 2 k artanh(1/3), 1/2 <= m <= 2."""
         k = x.numerator.bit_length() - x.denominator.bit_length()
@@ -170,8 +149,7 @@ class Enclosures:   # values of formulas as pairs (lower, upper) of fractions, t
         return 16 * (a - da) - 4 * (b + db), 16 * (a + da) - 4 * (b - db)
 
 class Reader:
-    def __init__(self, text):
-        self.lines, self.at = text.split("\n"), 0
+    def __init__(self, text): self.lines, self.at = text.split("\n"), 0
     def line(self, word=None):                     # the fields of the next line, behind a word that it begins with
         form(self.at < len(self.lines), "the file ends early")
         t = self.lines[self.at].split(" ") if self.lines[self.at] else []
@@ -179,10 +157,8 @@ class Reader:
         form(word is None or t[:1] == [word], "line %d: '%s' expected" % (self.at, word))
         return t if word is None else t[1:]
     def all(self, word):                           # the lines that begin with a word
-        found = []
-        while self.at < len(self.lines) and self.lines[self.at].startswith(word + " "):
-            found.append(" ".join(self.line(word)))
-        return found
+        begins = lambda x: x.startswith(word + " ")
+        return [" ".join(self.line(word)) for _ in itertools.takewhile(begins, self.lines[self.at:])]
     def integers(self, word, count):
         t = self.line(word)
         form(len(t) == count and all(re.fullmatch("-?[0-9]{1,5}", x, re.ASCII) for x in t),
@@ -202,10 +178,12 @@ class Problem:      # the head of a certificate: equations, their polynomial for
         self.equations = [x.split(" = ") for x in r.all("equation")]
         form(all(len(x) == 2 and x[0][-1:] == "'" for x in self.equations), "an unclear equation")
         self.state = [x[:len(x) - k] for x, _ in self.equations for k in range(x.count("'"), 0, -1)]
-        self.starts, defined = r.all("start"), [x.split(" = ") for x in r.all("define")]
-        names = [self.variable] + self.state + [x[0] for x in defined]
-        form(all(re.fullmatch(NAME, x, re.ASCII) for x in names), "an unclear name")
-        form(len(self.starts) == len(self.state) and len(set(names)) == len(names), "names and starts do not match")
+        self.starts, self.vary = r.all("start"), r.all("vary")
+        defined, own = [x.split(" = ") for x in r.all("define")], self.state
+        names = [self.variable] + own + [x[0] for x in defined]
+        form(all(re.fullmatch(NAME, x, re.ASCII) for x in names) and len(self.starts) == len(own)
+             and len(set(names)) == len(names) and self.vary in [[]] + [[x] for x in own], "names that do not match")
+        self.state = own + ["d(%s)" % x for x in own if self.vary]
         self.condition, (self.bits, start_bits) = r.all("condition"), r.integers("bits", 2)
         form(16 <= self.bits <= start_bits, "the numbers of bits are out of range")
         self.zeros = {"#%d" % (k + 1): x.split(" ") for k, x in enumerate(r.all("zero"))}
@@ -213,49 +191,55 @@ class Problem:      # the head of a certificate: equations, their polynomial for
         self.ends = [self.t0] + [fraction(t) for first, last in self.zeros.values() for t in (first, last)]
         self.claims = [x.split(" ") for x in r.all("claim")]
         form(self.claims and all(len(x) == 4 and x[1] in self.state for x in self.claims), "an unclear claim")
-        (self.steps,) = r.integers("steps", 1)
+        for t in [[fraction(y) for y in x[0].split(":")] for x in self.claims if x[0] not in self.zeros]:
+            form(len(t) == 1 or len(t) == 2 and self.vary and (t[0] - self.t0) * (t[1] - t[0]) >= 0, "an unclear time")
+        (self.steps,), names[1:len(own) + 1] = r.integers("steps", 1), self.state
         self.make_polynomial_form(names, [(name, formula(text)) for name, text in defined], Enclosures(start_bits))
     def make_polynomial_form(self, names, defined, values):
-        """right[i] with y_(i+1)' = right[i], by the chain rule for the added unknowns, and enclosures of the start."""
+        """right[i] with y_(i+1)' = right[i], by the chain rule if i is not given, and enclosures of the start."""
         own = {x: {(k,): ONE} for k, x in enumerate(names)}
         start, added, arguments = {self.variable: (self.t0, self.t0)}, {}, []
         start.update({name: values.of(formula(text), {}) for name, text in zip(self.state, self.starts)})
+        start.update({x: (Fraction(x == "d(%s)" % self.vary[0]),) * 2 for x in self.state if x not in start})
         for name, tree in defined:
             form(type(tree) is tuple and (tree[0] in DERIVATIVES or tree[0] == "^" or tree[:2] == ("/", ONE)),
                  "%s is not defined as a function" % name)
             u = as_polynomial(tree[2 if tree[0] == "/" else 1], {x: own[x] for x in start}, added)
-            arguments.append((tree[0], tree[2] if tree[0] == "^" else -ONE, u, own[name]))
+            arguments.append((tree[0], tree[2] if tree[0] == "^" else -ONE, u, name))
             added[tree[0], frozenset(u.items()), arguments[-1][1]] = own[name]
             start[name] = values.of(tree, start)
-        self.start, self.right, self.functions, self.sign = [start[x] for x in names[1:]], [], [], 0
+        self.start, self.functions, self.sign, right = [start[x] for x in names[1:]], [], 0, []
         for name, text in self.equations:
-            self.right += [own[name[:len(name) - k]] for k in range(name.count("'") - 1, 0, -1)]
-            self.right.append(as_polynomial(formula(text), own, added))
-        for kind, r, u, w in arguments:
+            right += [own[name[:len(name) - k]] for k in range(name.count("'") - 1, 0, -1)]
+            right.append(as_polynomial(formula(text), own, added))
+        flow = dict(enumerate([{(): ONE}] + right))                # the derivatives by the time, and those by a start
+        vary = {k + 1: own["d(%s)" % names[k + 1]] for k, _ in enumerate(right) if self.vary}
+        for kind, r, u, name in arguments:
             rule = "(%s)*w" % r + ("^%d" % (r.denominator + 1) if r.numerator == -1 else "/u")          # for powers
-            slope = as_polynomial(formula(DERIVATIVES.get(kind, rule)), {"u": u, "w": w}, added)
-            self.right.append(times(slope, self.slope(u)))
+            slope = as_polynomial(formula(DERIVATIVES.get(kind, rule)), {"u": u, "w": own[name]}, added)
+            for way in flow, vary: way[names.index(name)] = times(slope, along(u, way))
+        flow.update({len(right) + k: along(f, vary) for k, f in enumerate(right, 1) if self.vary})
+        self.right = [flow[k] for k in range(1, len(names))]
         for g in [as_polynomial(formula(text), own, added) for text in self.condition]:
             exact = all(start[names[l]][0] == start[names[l]][1] for m in g for l in m)
             self.zero_start = exact and sum(c * math.prod(start[names[l]][0] for l in m) for m, c in g.items()) == 0
-            self.functions = [g, self.slope(g)]
-    def slope(self, u):                            # the derivative of a polynomial along the solution
-        return reduce(plus, [times(partial(u, k + 1), f) for k, f in enumerate(self.right)], partial(u, 0))
+            self.functions = [g, along(g, flow)]
+    def head(self, times):
+        ends = sorted([str(self.t0), *times], key=fraction)
+        starts = ",  ".join("%s(%s) = %s" % (x, self.t0, y) for x, y in zip(self.state, self.starts))
+        equations = ",  ".join("%s = %s" % tuple(x) for x in self.equations)
+        return "solution of\n    %s,\n    %s\nexists on [%s, %s], and\n" % (equations, starts, ends[0], ends[-1])
     def statement(self):
-        starts = ["%s(%s) = %s" % (x, self.t0, y) for x, y in zip(self.state, self.starts)]
-        ends = [str(self.t0), *sum(self.zeros.values(), []), *[x[0] for x in self.claims if x[0] not in self.zeros]]
-        ends.sort(key=fraction)
-        text = "The solution of\n    %s,\n    %s\nexists on [%s, %s], and\n" % (
-            ",  ".join("%s = %s" % tuple(x) for x in self.equations), ",  ".join(starts), ends[0], ends[-1])
+        need(not self.vary, "derivatives without a root")
+        times = [x[0] for x in self.claims if x[0] not in self.zeros]
+        text = "The " + self.head(sum(self.zeros.values(), []) + times)
         for g in self.condition:
             last, all_of_them = self.zeros["#%d" % len(self.zeros)][1], ", ".join(self.zeros)
             text += "%s = 0 from %s, excluded, to %s only at %s, and\n" % (g, self.t0, last, all_of_them)
         zeros = ["    %s lies in [%s, %s]" % (k, *sorted(x, key=fraction)) for k, x in self.zeros.items()]
         return text + ",\n".join(zeros + ["    {1}({0}) lies in [{2}, {3}]".format(*x) for x in self.claims]) + "."
-def matrix(n, entry):
-    return [[entry(i, j) for j in range(n)] for i in range(n)]
-def size_of(a, rows, columns):                                                          # at least the Euclidean norm
-    return root_up(sum(a[i][j]**2 for i in rows for j in columns))
+def matrix(n, entry): return [[entry(i, j) for j in range(n)] for i in range(n)]
+def size_of(a, rows, columns): return root_up(sum(a[i][j]**2 for i in rows for j in columns))  # at least the norm
 
 class Step:         # polynomials of the scaled unknowns and their frame, brought to one exponent each
     def __init__(self, r, problem, begin):
@@ -275,10 +259,8 @@ class Step:         # polynomials of the scaled unknowns and their frame, brough
         k, (first, last) = r.section("radii", len(sizes), 2)
         form(len(first) == len(last) == len(sizes) and min(first + last) >= 0, "the radii are not numbers >= 0")
         self.R0, self.R1 = [[self.up(m * two(-e)) for m, e in zip(x, k)] for x in (first, last)]
-    def up(self, x):
-        return math.ceil(x * (1 << self.problem.bits))
-    def bound(self, a, k):                                                              # of |2^-k a(x)|
-        return self.up(norm(a) * two(-k))
+    def up(self, x): return math.ceil(x * (1 << self.problem.bits))
+    def bound(self, a, k): return self.up(norm(a) * two(-k))  # of |2^-k a(x)|
     def times(self, a, b):                         # the product of two matrices of bounds
         return [[-(-sum(x * y for x, y in zip(row, column)) >> self.problem.bits) for column in zip(*b)] for row in a]
     def check(self, old):
@@ -367,13 +349,11 @@ class Step:         # polynomials of the scaled unknowns and their frame, brough
         return ([value(a, x) * two(e - self.kp) for a, e in zip(self.p, self.scales)],
                 [[value(a, x) * two(e - self.kv) for a in row] for row, e in zip(self.V, self.scales)], self.blocks,
                 [math.ceil(a + (b - a) * (x + 1) / 2) for a, b in zip(self.R0, self.R1)])
-    def places(self, times):                       # as values of x
-        return [2 * (t - self.begin) / self.length - 1 for t in times]
+    def places(self, times): return [2 * (t - self.begin) / self.length - 1 for t in times]  # as values of x
     def check_claim(self, claim):                  # true if its last time is in the step: its interval has the tube
-        times = self.places(map(fraction, self.problem.zeros.get(claim[0], claim[:1])))
+        times = self.places(map(fraction, self.problem.zeros.get(claim[0], claim[0].split(":"))))
         u, v = max(times[0], -ONE), min(times[-1], ONE)
-        if u > v:
-            return False
+        if u > v: return False
         i, d, (centre, frame, blocks, radii) = self.problem.state.index(claim[1]), (v - u) / 2, self.at((u + v) / 2)
         slopes, unit = [norm(derivative(a)) * d for a in [self.p[i]] + self.V[i]], two(self.scales[i])
         row = [[self.up(abs(a) + b * unit * two(-self.kv)) for a, b in zip(frame[i], slopes[1:])]]
@@ -407,21 +387,41 @@ class Step:         # polynomials of the scaled unknowns and their frame, brough
         return ends[-1] <= 1
 
 def check(text):
-    """The proved statement; of certificates for two starts and all between them with what follows. Raises Refused."""
-    parts = text.split("\nend\n")
-    if len(parts) != 4:
-        return check_one(text).statement()
-    low, high, both = problems = [check_one(part + "\nend\n") for part in parts[:3]]
-    same = {(x.variable, x.t0, str(x.equations), *x.claims[0][:2]) for x in problems}
-    need(len(same) == 1 and not low.zeros and parts[3] == "", "three certificates that are not of one problem")
-    texts, k = [x.statement() for x in problems], next((k for k, x in enumerate(low.starts) if x != high.starts[k]), 0)
-    first, last, between = [x.starts.pop(k) for x in problems]
-    need(low.starts == high.starts == both.starts and between == "[%s, %s]" % (first, last), "starts that do not match")
-    (time, name, a, b), (_, _, c, d) = low.claims[0], high.claims[0]
-    ends = min(b, d, key=fraction), max(a, c, key=fraction)
-    need(fraction(ends[0]) < fraction(ends[1]), "values that are not apart")
-    texts.append("For each number between %s and %s some %s(%s) in " % (*ends, low.state[k], low.t0) + between)
-    return "\n".join(texts) + " has %s(%s) equal to it." % (name, time)
+    """The proved statement; of certificates for one start and, with derivatives, all around it, that of a root."""
+    *parts, rest = text.split("\nend\n")
+    if len(parts) > 1: return root([check_one(part + "\nend\n") for part in parts], rest.split("\n"))
+    return check_one(text).statement()
+def distance(c, x, y):                             # at least |sum c_i x_i - y|, x_i intervals
+    return max(abs(sum(f(k * a, k * b) for k, (a, b) in zip(c, x)) - y) for f in (min, max))
+def root(problems, lines):
+    """F(u) = 0 for one u in a box, m in the middle, r at most half of its widths, since |C F(m)| + |1 - C F'| r < r."""
+    point, near, names, goals = *problems[:2], problems[0].state, [x.split(" ") for x in lines[:-1]]
+    (middle,), (ends,) = [{c[0] for x in y for c in x.claims} for y in (problems[:1], problems[1:])]
+    need(len({(x.variable, x.t0, str(x.equations)) for x in problems}) == 1
+         and (":" in ends or fraction(middle) == fraction(ends)), "certificates that are not of one problem")
+    moved = [k for k, x in enumerate(point.starts) if x != near.starts[k]]
+    need(all(x.starts == near.starts for x in problems[1:])
+         and [x.vary for x in problems] == [[]] + [[names[k]] for k in moved], "starts that do not match")
+    claims = [{x: (fraction(a), fraction(b)) for _, x, a, b in y.claims} for y in problems]
+    def gap(k, x, goal):                           # the value less that at the start, or less a number; its derivative
+        name, by = "d(%s)" % x if k else x, problems[k]
+        a, b = by.start[by.state.index(name)] if goal == "start" else (0 if k else fraction(goal),) * 2
+        return claims[k][name][0] - b, claims[k][name][1] - a
+    F, *columns = [[gap(k, x, goal) for _, x, goal, *_ in goals] for k in range(len(problems))]
+    unknowns = [("%s(%s)" % (names[k], point.t0), point.starts[k], near.starts[k][1:-1].split(", ")) for k in moved]
+    if ":" in ends:                                # the time is an unknown, and the derivatives by it are y'
+        unknowns.append((point.variable, middle, sorted(ends.split(":"), key=fraction)))
+        rates = {x: Enclosures(near.bits).of(formula(y), claims[1]) for x, y in near.equations}
+        columns.append([{**claims[1], **rates}[x + "'"] for _, x, *_ in goals])
+    radii = [max(0, min(fraction(m) - fraction(a), fraction(b) - fraction(m))) for _, m, (a, b) in unknowns]
+    form(not lines[-1] and [x[:1] + [len(x)] for x in goals] == [["root", len(radii) + 3] for _ in radii], "no such roots")
+    for i, c in enumerate([[fraction(y) for y in x[3:]] for x in goals]):
+        total = distance(c, F, 0) + sum(distance(c, x, i == j) * r for j, (x, r) in enumerate(zip(columns, radii)))
+        need(total < radii[i], "the condition for a root in %s" % unknowns[i][0])
+    at = "(%s)" % (point.variable if ":" in ends else middle)
+    roots = [x + at + " = " + (x + "(%s)" % point.t0 if goal == "start" else goal) for _, x, goal, *_ in goals]
+    box = ", ".join("%s in [%s, %s]" % (x, *y) for x, _, y in unknowns)
+    return "For exactly one choice of %s the %s    %s." % (box, near.head(ends.split(":")), ",\n    ".join(roots))
 def check_one(text):                               # a certificate that is proved
     r = Reader(text)
     problem = Problem(r)

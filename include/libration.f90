@@ -485,18 +485,28 @@ module libration
             type(c_ptr), value :: context
             type(c_ptr), intent(out) :: events
         end function
-        function libration_problem_find_certificate(problem, unknown, condition, digits, path, watch, context, values) &
+        function libration_problem_find_certificate(problem, unknowns, conditions, digits, path, watch, context, values) &
             bind(c)
             import :: c_ptr, c_char, c_long, c_funptr, c_int
             integer(c_int) :: libration_problem_find_certificate
             type(c_ptr), value :: problem
-            character(kind=c_char), intent(in) :: unknown(*)
-            character(kind=c_char), intent(in) :: condition(*)
+            character(kind=c_char), intent(in) :: unknowns(*)
+            character(kind=c_char), intent(in) :: conditions(*)
             integer(c_long), value :: digits
             character(kind=c_char), intent(in) :: path(*)
             type(c_funptr), value :: watch
             type(c_ptr), value :: context
             type(c_ptr), intent(out) :: values
+        end function
+        function libration_problem_orbit_certificate(problem, digits, path, watch, context, orbit) bind(c)
+            import :: c_ptr, c_char, c_long, c_funptr, c_int
+            integer(c_int) :: libration_problem_orbit_certificate
+            type(c_ptr), value :: problem
+            integer(c_long), value :: digits
+            character(kind=c_char), intent(in) :: path(*)
+            type(c_funptr), value :: watch
+            type(c_ptr), value :: context
+            type(c_ptr), intent(out) :: orbit
         end function
         function libration_problem_flow(problem, begin, solutions, starts, count, times, watch, context, values) bind(c)
             import :: c_ptr, c_size_t, c_double, c_int, c_funptr

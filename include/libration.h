@@ -211,17 +211,22 @@ int libration_problem_event_certificate(const libration_problem *problem, const 
  * the number of these is not known before; not in a proof by a lemma. */
 int libration_problem_find(const libration_problem *problem, const char *unknowns, const char *conditions, long digits,
                            libration_watch watch, void *context, libration_table **values);
-/* The same for one unknown and one condition "f'(5) = 1" at a time that is a fraction, and in the file `path` a
- * certificate, from which check/libration_check.py proves that a number within one unit of the last digit satisfies the
- * condition. UNDECIDED without a file if that is not proved by the steps of a certificate; ARGUMENT if the format does
- * not contain the problem or the condition. */
-int libration_problem_find_certificate(const libration_problem *problem, const char *unknown, const char *condition,
+/* The same for conditions "f'(5) = 1" at one time that is a fraction, and in the file `path` a certificate, from which
+ * check/libration_check.py proves that the conditions hold for exactly one choice of numbers within one unit of the last
+ * digit of each. UNDECIDED without a file if that is not proved by the steps of a certificate; ARGUMENT if the format does
+ * not contain the problem or a condition. */
+int libration_problem_find_certificate(const libration_problem *problem, const char *unknowns, const char *conditions,
                                        long digits, const char *path, libration_watch watch, void *context,
                                        libration_table **values);
 /* The periodic orbit near the initial values of an autonomous problem, proved: name, value of the unknowns and their
  * lower derivatives on a section, and of the period. The callback is called in integrations, with 0. */
 int libration_problem_orbit(const libration_problem *problem, long digits, libration_watch watch, void *context,
                             libration_table **orbit);
+/* The same, and in the file `path` a certificate, from which check/libration_check.py proves that the solution returns to
+ * its initial point for exactly one choice of the period and of the values on the section, within one unit of the last
+ * digit of each. UNDECIDED and ARGUMENT as for libration_problem_find_certificate. */
+int libration_problem_orbit_certificate(const libration_problem *problem, long digits, const char *path,
+                                        libration_watch watch, void *context, libration_table **orbit);
 void libration_problem_free(libration_problem *problem);
 
 /* Solutions in double precision by Taylor series, an error of some units in the last place of max(1, largest |value|) per

@@ -82,7 +82,7 @@ def read_steps(r, problem):
 def convert(text, name):
     r = checker.Reader(text)
     problem = checker.Problem(r)
-    if problem.condition or text.count("\nend\n") > 1:
+    if problem.condition or problem.vary or text.count("\nend\n") > 1:
         raise NotCovered("zeros of a condition, or a root")
     unit = lcm(1, *[c.denominator for f in problem.right for c in f.values()])
     items, ordered = read_steps(r, problem)

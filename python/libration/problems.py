@@ -274,17 +274,22 @@ class Problem:
         values that the problem has, each digit proved. A condition at infinity, "f'(inf) = 1", is decided by a lemma
         about a problem of the catalogue; UndecidedError without one.
 
-        certificate is the path of a file from which check() proves again, in integers, that there is such a number within
-        one unit of the last digit: for one unknown and one condition at a time that is a fraction."""
+        certificate is the path of a file from which check() proves again, in integers, that there is exactly one such choice
+        within one unit of the last digits: for conditions "f'(5) = 1" at one time that is a fraction."""
         names = unknowns if isinstance(unknowns, str) else ", ".join(unknowns)
         conditions = such_that if isinstance(such_that, str) else "; ".join(such_that)
         if certificate is not None:
             return _values(Table._of(self._problem.find_certificate(names, conditions, digits, fspath(certificate))))
         return _values(Table._of(self._problem.find(names, conditions, digits)))
 
-    def orbit(self, digits: int = 50) -> dict[str, Ball]:
+    def orbit(self, digits: int = 50, certificate: str | PathLike[str] | None = None) -> dict[str, Ball]:
         """The periodic orbit near the initial values of an autonomous problem, each digit proved: the unknowns and
-        their lower derivatives on a section, and the period."""
+        their lower derivatives on a section, and the period.
+
+        certificate is the path of a file from which check() proves again, in integers, that there is exactly one such orbit
+        within one unit of the last digits."""
+        if certificate is not None:
+            return _values(Table._of(self._problem.orbit_certificate(digits, fspath(certificate))))
         return _values(Table._of(self._problem.orbit(digits)))
 
 

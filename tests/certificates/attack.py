@@ -10,6 +10,7 @@ import argparse
 import math
 import pathlib
 import random
+import re
 import sys
 import types
 import zlib
@@ -62,15 +63,18 @@ def accepted(module, text):
 
 
 class Parts:
-    """A certificate by lines: those of the head, and those of each step."""
+    """A certificate by lines: those of the head, those of each step, and what follows the last one. The heads of further
+    certificates are parts of the steps before them."""
 
     def __init__(self, text):
         lines = text.split("\n")
-        starts = [i for i, x in enumerate(lines) if x.startswith("step ")] + [len(lines) - 2]
+        end = max(i for i, x in enumerate(lines) if x == "end")
+        starts = [i for i, x in enumerate(lines) if x.startswith("step ")] + [end]
         self.head, self.steps = lines[:starts[0]], [lines[a:b] for a, b in zip(starts, starts[1:])]
+        self.rest = lines[end:]
 
     def text(self):
-        return "\n".join(self.head + [x for step in self.steps for x in step] + ["end", ""])
+        return "\n".join(self.head + [x for step in self.steps for x in step] + self.rest)
 
     def copy(self):
         return Parts(self.text())
@@ -275,8 +279,8 @@ def names_only(head, changed):
 
 
 def intervals(statement):
-    return [[Fraction(y) for y in x[x.rindex("[") + 1:x.rindex("]")].split(", ")]
-            for x in statement.split("\n") if " lies in [" in x]
+    """Those of values and of the unknowns of a root."""
+    return [[Fraction(a), Fraction(b)] for a, b in re.findall(r" in \[([^],]*), ([^]]*)\]", statement)]
 
 
 def read(path):
@@ -290,7 +294,7 @@ def attacks_on(whole, texts):
         parts = Parts(text)
         attacks += list(false_certificates(parts)) + list(boundary(whole, parts))
     attacks += zeros.made_certificates(accepted, whole, exponential)
-    attacks += roots.made_certificates(accepted, whole, exponential)
+    attacks += roots.made_certificates(accepted, whole)
     # A larger radius may be proved as well: those certificates are true.
     return [(name, text) for name, text in attacks if accepted(whole, text) is None]
 

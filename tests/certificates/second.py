@@ -59,10 +59,20 @@ CONDITIONS = [
     ("values move at a zero", "shift(times(norm(derivative(s->p[i])), d), e - s->kp)", "q(0)"),
     ("the frame moves at a zero", "plus(absolute(set.frame[i * n + j]), more)", "absolute(set.frame[i * n + j])"),
     ("radii change at a zero", "up(over(times(absolute(minus(s->R1[b], s->R0[b])), d), two))", "q(0)"),
-    ("three certificates of one problem", "need(of_one_problem(low, high) && of_one_problem(low, both) && "
-     "low->zeros == 0 && *behind == 0,", "need(1,"),
-    ("starts that match", "need(match,", "need(1,"),
-    ("values that are apart", "need(!at_most(fraction(to), fraction(from)),", "need(1,"),
+    ("certificates of one problem", "equal = equal && of_one_problem(point, r->problem[k]);", ";"),
+    ("conditions at one time", "mpq_equal(fraction(r->middle), fraction(r->ends))", "1"),
+    ("equal starts", "match = match && same_texts(r->problem[k]->start[i], near->start[i]);", ";"),
+    ("derivatives by each unknown start", "match = vary != NULL && same_texts(vary, point->scope.name[r->moved[k] + 1].name);", "match = vary != NULL;"),
+    ("as many conditions as unknowns", "form(*each[r->goals] == 0 && r->goals == unknowns,", "form(1,"),
+    ("a contraction", "need(mpq_cmp(total, r->unknown[i].radius) < 0,", "need(1,"),
+    ("the distance of the middle", "Q total = distance(C + i * n, r->F, n, 0);", "Q total = q(0);"),
+    ("the matrix is near the inverse", "total = plus(total, times(distance(C + i * n, r->columns + j * n, n, i == j), "
+     "r->unknown[j].radius));", ";"),
+    ("the middle is in the box", "least(minus(middle, fraction(u->low)), minus(fraction(u->high), middle))",
+     "minus(fraction(u->high), middle)"),
+    ("derivatives alone", "need(p->vary == NULL,", "need(1,"),
+    ("times behind the start", "p->vary != NULL && ordered", "p->vary != NULL"),
+    ("derivatives of added unknowns", "p->vary == NULL ? terms(0) : poly_times(rule, along(a->u, p->by_start, p->n))", "terms(0)"),
 ]
 
 

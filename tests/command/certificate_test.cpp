@@ -99,7 +99,7 @@ TEST_CASE("a certificate without one of its events is refused by the checker", "
 }
 
 // y = s sin t with y(1) = 1: s = 1/sin 1.
-TEST_CASE("a root has a certificate of both sides and of what lies between", "[command][find][certificate]") {
+TEST_CASE("a root has a certificate of its solution and of the derivatives near it", "[command][find][certificate]") {
     const temporary_folder folder;
     const words asked{"find", "--problem", "y'' = -y; y(0) = 0; y'(0) = s; s = 1", "--unknown", "s"};
     const words certified{"--digits", "8", "--certificate", "a.cert"};
@@ -109,7 +109,8 @@ TEST_CASE("a root has a certificate of both sides and of what lies between", "[c
     const auto proved = checked(folder.path() / "a.cert");
     INFO(proved.out);
     CHECK(proved.exit_code == 0);
-    CHECK(contains(proved.out, "some y'(0) in [237679/200000, 742747/625000] has y(1) equal to it."));
+    CHECK(contains(proved.out, "For exactly one choice of y'(0) in [118839"));
+    CHECK(contains(proved.out, "y(1) = 1."));
     // The parameter of an equation, and functions of a start that is an interval.
     for (const auto& [problem, unknown] : {std::pair("y'' = -k*sin(y); y(0) = 1; y'(0) = 0; k = 1", "k"),
                                            std::pair("y'' = -exp(y)/(2 + cos(y)); y(0) = 0; y'(0) = 1", "y(0)")}) {
@@ -122,8 +123,43 @@ TEST_CASE("a root has a certificate of both sides and of what lies between", "[c
     }
     const auto several = run_libration(asked + words{"--such-that", "y(1) + y'(1) = 1"} + certified, folder.path());
     CHECK(several.exit_code == 2);
-    CHECK(contains(several.err, "roots of one condition such as y(1) = 1/2"));
-    check_refused(words{"find", "--problem", "lorenz", "--periodic"} + certified, {"--certificate", "periods"}, folder);
+    CHECK(contains(several.err, "roots of conditions such as y(1) = 1/2"));
+    check_refused(asked + words{"--such-that", "y(1) = 1", "--guess", "s=1,2"} + certified,
+                  {"--certificate", "several guesses"}, folder);
+}
+
+// x = cos(t - 1).
+TEST_CASE("a periodic orbit has a certificate", "[command][find][certificate]") {
+    const temporary_folder folder;
+    const auto done = run_libration(
+        {"find", "--problem", "van_der_pol", "--periodic", "--digits", "8", "--certificate", "a.cert"}, folder.path());
+    INFO(done.err);
+    REQUIRE(done.exit_code == 0);
+    const auto proved = checked(folder.path() / "a.cert");
+    INFO(proved.out);
+    CHECK(proved.exit_code == 0);
+    CHECK(contains(proved.out, "t in [6.6632868, 6.663287"));
+    CHECK(contains(proved.out, "x(t) = x(0),\n    x'(t) = x'(0)."));
+    const std::string edit =
+        "import zlib, sys; f = sys.argv[1]; t = zlib.decompress(open(f, 'rb').read()).decode(); "
+        "t = t.replace('root x start', 'root x 2'); open(f, 'wb').write(zlib.compress(t.encode()))";
+    const std::string line = "python3 -c \"" + edit + "\" " + (folder.path() / "a.cert").string();
+    REQUIRE(std::system(line.c_str()) == 0);
+    const auto refused = checked(folder.path() / "a.cert");
+    CHECK(refused.exit_code == 1);
+    CHECK(contains(refused.out, "the condition for a root"));
+}
+
+// The values are those of the closed form.
+TEST_CASE("a certificate with too many steps is refused before they are taken", "[command][reference][certificate]") {
+    const temporary_folder folder;
+    const auto done = run_libration(
+        {"reference", "--problem", "pendulum", "--time", "1e12", "--digits", "10", "--certificate", "a.cert"},
+        folder.path());
+    CHECK(done.exit_code == 2);
+    CHECK(contains(done.out, "-1.289775660"));
+    CHECK(contains(done.err, "--certificate 'a.cert' contains at most 99999 steps"));
+    CHECK(contains(done.err, "choose an earlier time, or leave it out and compare two proofs with --check"));
 }
 
 TEST_CASE("problems without a certificate are refused", "[command][reference][certificate]") {

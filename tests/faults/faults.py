@@ -37,6 +37,7 @@ EVENTS = "ode/proved/proved_events_test.cpp"
 INTEGERS = "scalar/ball/integer_product_test.cpp"
 SEQUENCES = "scalar/ball/polynomial_test.cpp"
 BALL_SOURCES = "src/libration/scalar/ball/"
+CERTIFICATES = "problem/certificate_test.cpp"
 
 FAULTS = [
     *in_file(
@@ -753,5 +754,22 @@ FAULTS = [
     *in_file(
         "src/libration/scalar/text/number_lexer.cpp", ["scalar/text/expression_test.cpp", "ode/parse_test.cpp"],
         ("an interval read as a difference", "if (rest.starts_with(sign)) {", "if (false) {"),
+    ),
+    *in_file(
+        "src/libration/problem/solution/certified_root.cpp", [CERTIFICATES],
+        ("a return without the start", "flow[place][by] - 1 : flow[place][by]", "flow[place][by] : flow[place][by]"),
+        ("claims as wide as the box", "const rational part_of_errors(1, 8);", "const rational part_of_errors(8, 1);"),
+        ("the derivatives by one start alone", ".varied = of_.places[k]", ".varied = of_.places[0]"),
+    ),
+    *in_file(
+        "src/libration/ode/rigorous/certificate/varied_form.cpp", [CERTIFICATES],
+        ("derivatives without those of functions", "k < derivatives.size(); ++k) {\n        sum",
+         "k < std::min<std::size_t>(2, derivatives.size()); ++k) {\n        sum"),
+        ("the sign of a quotient's derivative", "return -(w * w);", "return w * w;"),
+    ),
+    *in_file(
+        "src/libration/ode/rigorous/certificate/certified_run.cpp", [CERTIFICATES],
+        ("the derivatives by the first start", "k == *choice.varied ? 1 : 0", "k == 0 ? 1 : 0"),
+        ("steps without end", "if (expected > doubtful * most_steps) {", "if (false) {"),
     ),
 ]

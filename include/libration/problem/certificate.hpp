@@ -31,12 +31,16 @@ std::string certificate_of_states(const ode::explicit_system& system, const std:
 std::string certificate_of_events(const ode::explicit_system& system, const ode::expression& g, int way,
                                   const printed_rows& events, const request& how);
 
-/// The same for a root of find_unknowns: a parameter or an initial value f''(0), with its decimal, for which one
-/// condition such as f'(5) = 1 holds. The certificate proves the values at time 5 for the fractions one unit of the last
-/// digit below and above it, and that the solution exists up to there for all numbers between them: by continuity one of
-/// these satisfies the condition, if its value lies between those two. Throws error of the subject "certificate" for
-/// other conditions, and for a parameter on which an initial value depends.
-std::string certificate_of_root(const problem& of, const std::string& unknown, const std::string& condition,
-                                const std::string& decimal, const request& how);
+/// The same for a root of find_unknowns: parameters or initial values f''(0), with their decimals in this order, for which
+/// as many conditions such as f'(5) = 1 hold, all at one time. The certificate proves that the conditions hold for
+/// exactly one choice of the unknowns in a box, within one unit of the last digit of each. Throws error of the subject
+/// "certificate" for other conditions, and for a parameter on which an initial value depends.
+std::string certificate_of_root(const problem& of, const std::vector<std::string>& unknowns,
+                                const std::vector<std::string>& conditions, const std::vector<std::string>& decimals,
+                                const request& how);
+
+/// The same for a periodic orbit of find_periodic_orbit, whose rows are the decimals: the solution returns to its initial
+/// point for exactly one choice of the period and of all initial values but that on the section.
+std::string certificate_of_orbit(const problem& of, const std::vector<std::string>& decimals, const request& how);
 
 }  // namespace libration

@@ -24,6 +24,15 @@ printed_rows decimals_of(const table& of, const std::vector<std::string>& column
     return rows;
 }
 
+// The column "value".
+std::vector<std::string> values_of(const answer& found) {
+    std::vector<std::string> values;
+    for (std::size_t k = 0; k < found.rows.size(); ++k) {
+        values.push_back(found.at(k, "value"));
+    }
+    return values;
+}
+
 // Errors of the argument name the option.
 template <class Make>
 void write_certificate(const std::string& path, const Make& make) {
@@ -66,9 +75,13 @@ void certify_events(const std::string& path, const ode::explicit_system& system,
     });
 }
 
-void certify_root(const std::string& path, const problem& of, const std::string& unknown, const std::string& condition,
-                  const std::string& decimal, const request& how) {
-    write_certificate(path, [&] { return certificate_of_root(of, unknown, condition, decimal, how); });
+void certify_root(const std::string& path, const problem& of, const std::vector<std::string>& unknowns,
+                  const std::vector<std::string>& conditions, const answer& found, const request& how) {
+    write_certificate(path, [&] { return certificate_of_root(of, unknowns, conditions, values_of(found), how); });
+}
+
+void certify_orbit(const std::string& path, const problem& of, const answer& found, const request& how) {
+    write_certificate(path, [&] { return certificate_of_orbit(of, values_of(found), how); });
 }
 
 }  // namespace libration

@@ -20,8 +20,9 @@ void certify_states(const std::string& path, const ode::explicit_system& system,
 void certify_events(const std::string& path, const ode::explicit_system& system, const ode::event_request& request,
                     const table& events, const libration::request& how);
 
-/// The same of a root of find.
-void certify_root(const std::string& path, const problem& of, const std::string& unknown, const std::string& condition,
-                  const std::string& decimal, const request& how);
+/// The same of a root of find_unknowns, and of find_periodic_orbit.
+void certify_root(const std::string& path, const problem& of, const std::vector<std::string>& unknowns,
+                  const std::vector<std::string>& conditions, const answer& found, const request& how);
+void certify_orbit(const std::string& path, const problem& of, const answer& found, const request& how);
 
 }  // namespace libration

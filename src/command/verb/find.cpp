@@ -101,16 +101,16 @@ answer found_by(const find_options& options, const problem& of, const request& h
     }
 }
 
-// Throws for a certificate of anything but a root of one condition at one time.
+// Throws for a certificate of several first guesses, branches, and conditions at infinity.
 void require_certifiable(const find_options& options) {
     if (!options.certificate) {
         return;
     }
     require_output_place("--certificate", *options.certificate);
-    if (options.periodic || options.along || options.unknowns.size() != 1 || options.conditions.size() != 1 ||
-        !options.guesses.empty() || is_at_infinity(options.conditions.front())) {
+    if (options.along || !options.guesses.empty() || std::ranges::any_of(options.conditions, is_at_infinity)) {
         throw input_error("--certificate", *options.certificate,
-                          "contains one unknown and one condition such as y(1) = 2, and no periods, branches or limits",
+                          "contains a periodic orbit, or one solution of conditions such as y(1) = 2, and no branches, "
+                          "several guesses or limits",
                           "leave it out");
     }
 }
@@ -254,8 +254,12 @@ int run_find(const find_options& options) {
     }
     const int code = print_solutions(options, found, digits, ended);
     if (options.certificate && !found.solutions().empty()) {
-        certify_root(*options.certificate, of, options.unknowns.front(), options.conditions.front(),
-                     found.solutions().front().at(0, "value"), how);
+        const answer& solution = found.solutions().front();
+        if (options.periodic) {
+            certify_orbit(*options.certificate, of, solution, how);
+        } else {
+            certify_root(*options.certificate, of, options.unknowns, options.conditions, solution, how);
+        }
     }
     return code;
 }
@@ -290,10 +294,10 @@ subcommand find_command(CLI::App& program) {
                      "follow the branch of solutions in a parameter, past turning points: \"k=0:3.5:36\"")
         ->type_name("NAME=VALUES");
     command
-        ->add_option(
-            "--certificate", options->certificate,
-            "of one unknown with one condition y(1) = 2: a file from which check/libration_check.py proves the "
-            "root again, in integers")
+        ->add_option("--certificate", options->certificate,
+                     "of conditions y(1) = 2 at one time, or of --periodic: a file from which check/libration_check.py "
+                     "proves the "
+                     "root or the orbit again, in integers")
         ->type_name("FILE");
     command->add_flag("--periodic", options->periodic, "the periodic orbit near the initial values, and its period");
     command->add_flag("--check", options->check,

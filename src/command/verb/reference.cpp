@@ -306,8 +306,7 @@ std::vector<asked_solution> asked_by(const reference_options& options, const std
                                      long digits) {
     std::vector<asked_solution> asked;
     if (options.problem.is_chosen()) {
-        const bool general =
-            options.integrator.integrates() || options.derivatives.differentiate() || options.certificate;
+        const bool general = options.integrator.integrates() || options.derivatives.differentiate();
         for (const family_member& each : family) {
             asked.push_back(problem_of_options(options, each.problem, general));
         }

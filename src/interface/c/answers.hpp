@@ -36,6 +36,16 @@ struct known_states {
     void write(libration_table** to) &&;
 };
 
+/// Like made(), of a table that is also returned if something is missing in it, which is the error.
+template <class Make>
+int partly_made(libration_table** handle, const Make& make) noexcept {
+    return guarded([&] {
+        given(handle, "the pointer to the result");
+        *handle = nullptr;
+        known_states(make()).write(handle);
+    });
+}
+
 /// The quantities at a list of times, and their derivatives with respect to `numbers`.
 known_states states_of(const solution& of, const std::string& times, request how, const watcher& watch,
                        std::vector<std::string> numbers = {});

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "answers.hpp"
+#include "find_arguments.hpp"
 #include "guarded.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/problem/certificate.hpp"
@@ -16,10 +17,7 @@ namespace libration::c {
 
 namespace {
 
-// A certificate is of the equations themselves, not of a closed form.
-std::unique_ptr<solution> solution_of(const libration_problem& p) {
-    return solve(problem(p.equations), {.general = true});
-}
+std::unique_ptr<solution> solution_of(const libration_problem& p) { return solve(problem(p.equations)); }
 
 request watched(long digits, const watcher& watch) {
     request how = proved_digits(given_digits(digits));
@@ -59,16 +57,13 @@ void write_file(const std::string& path, const std::string& content) {
     }
 }
 
-// Of one unknown and one condition. How many integrations there are is not known: the part that is done is always 0.
-libration_table certified_root(const libration_problem& p, const std::string& unknown, const std::string& condition,
-                               long digits, const std::string& file, const watcher& watch) {
-    const problem of(p.equations);
-    request how = proved_digits(given_digits(digits));
-    how.reached = [watch](double /*time*/, long /*bits*/) { watch(0.0); };
-    auto found = table_of_values(find_unknowns(of, {unknown}, {condition}, how));
-    const std::string decimal = found.cells.back().number.decimal;
-    write_file(file, certificate_of_root(of, unknown, condition, decimal, how));
-    return found;
+// The last column.
+std::vector<std::string> values_of(const libration_table& found) {
+    std::vector<std::string> values;
+    for (std::size_t k = found.names.size() - 1; k < found.cells.size(); k += found.names.size()) {
+        values.push_back(found.cells[k].number.decimal);
+    }
+    return values;
 }
 
 }  // namespace
@@ -116,11 +111,29 @@ int libration_problem_event_certificate(const libration_problem* problem, const 
     });
 }
 
-int libration_problem_find_certificate(const libration_problem* problem, const char* unknown, const char* condition,
+int libration_problem_find_certificate(const libration_problem* problem, const char* unknowns, const char* conditions,
                                        long digits, const char* path, libration_watch watch, void* context,
                                        libration_table** values) {
     return made(values, [&] {
-        return certified_root(given(problem, "problem"), text_of(unknown, "unknown"), text_of(condition, "condition"),
-                              digits, text_of(path, "path"), watcher(watch, context));
+        const libration::problem of(given(problem, "problem").equations);
+        const auto names = items_of(text_of(unknowns, "unknowns"), "unknowns");
+        const auto equations = conditions_of(text_of(conditions, "conditions"));
+        const std::string file = text_of(path, "path");
+        const request how = watched_digits(digits, watcher(watch, context));
+        auto found = table_of_values(find_unknowns(of, names, equations, how));
+        write_file(file, certificate_of_root(of, names, equations, values_of(found), how));
+        return found;
+    });
+}
+
+int libration_problem_orbit_certificate(const libration_problem* problem, long digits, const char* path,
+                                        libration_watch watch, void* context, libration_table** orbit) {
+    return made(orbit, [&] {
+        const libration::problem of(given(problem, "problem").equations);
+        const std::string file = text_of(path, "path");
+        const request how = watched_digits(digits, watcher(watch, context));
+        auto found = table_of_values(find_periodic_orbit(of, how));
+        write_file(file, certificate_of_orbit(of, values_of(found), how));
+        return found;
     });
 }

@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "answers.hpp"
+#include "find_arguments.hpp"
 #include "guarded.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "libration/problem/find.hpp"
@@ -49,13 +50,6 @@ series_request request_of(const char* point, const char* corners, long first, lo
     return request;
 }
 
-// Proved digits by integrations whose number is not known: the part that is done is always 0.
-request watched_digits(long digits, const watcher& watch) {
-    request how = proved_digits(given_digits(digits));
-    how.reached = [watch](double /*time*/, long /*bits*/) { watch(0.0); };
-    return how;
-}
-
 // The distance within which singularities are searched, if one is given.
 std::optional<double> distance_of(const char* within) {
     if (!is_given(within)) {
@@ -66,25 +60,6 @@ std::optional<double> distance_of(const char* within) {
         throw error(error_kind::argument, "within", within, "is not a positive number");
     }
     return from_exact<double>(distance);
-}
-
-// Like made(), of a table that is also returned if something is missing in it, which is the error.
-template <class Make>
-int partly_made(libration_table** handle, const Make& make) noexcept {
-    return guarded([&] {
-        given(handle, "the pointer to the result");
-        *handle = nullptr;
-        known_states(make()).write(handle);
-    });
-}
-
-// "f'(5) = 1; y(1) = 2".
-std::vector<std::string> conditions_of(const std::string& text) {
-    std::vector<std::string> conditions;
-    for (const auto& [left, right] : settings_of(text, "conditions")) {
-        conditions.push_back(left + " = " + right);
-    }
-    return conditions;
 }
 
 }  // namespace

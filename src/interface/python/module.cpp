@@ -240,11 +240,17 @@ void define_problems(py::module_& m) {
                                                       watch_signals, nullptr, to);
                     });
                 });
-    problem.def("find_certificate", [](const problem_object& of, const std::string& unknown,
-                                       const std::string& condition, long digits, const std::string& path) {
+    problem.def("find_certificate", [](const problem_object& of, const std::string& unknowns,
+                                       const std::string& conditions, long digits, const std::string& path) {
         return table([&](auto** to) {
-            return libration_problem_find_certificate(of.handle.get(), unknown.c_str(), condition.c_str(), digits,
+            return libration_problem_find_certificate(of.handle.get(), unknowns.c_str(), conditions.c_str(), digits,
                                                       path.c_str(), watch_signals, nullptr, to);
+        });
+    });
+    problem.def("orbit_certificate", [](const problem_object& of, long digits, const std::string& path) {
+        return table([&](auto** to) {
+            return libration_problem_orbit_certificate(of.handle.get(), digits, path.c_str(), watch_signals, nullptr,
+                                                       to);
         });
     });
     problem.def("orbit", [](const problem_object& of, long digits) {

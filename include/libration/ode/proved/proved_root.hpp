@@ -2,6 +2,7 @@
 // a solution, and its digits.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -22,6 +23,9 @@ struct enclosed_map {
 /// F over a box with so many bits, its derivative with error_bits. Returns std::nullopt if more bits are needed.
 using map_of_unknowns =
     std::function<std::optional<enclosed_map>(const std::vector<ball>& x, long bits, long error_bits)>;
+
+/// An approximate inverse of the midpoint: exact numbers, not an enclosure; std::nullopt if it is singular.
+std::optional<ball_matrix> inverse_near(const ball_matrix& a);
 
 /// The zero of F near a first guess, `digits` proved digits each: Newton's method in floating-point arithmetic of
 /// increasing precision, then Krawczyk's test: with C near the inverse of dF/dx and a box X about x,
@@ -63,8 +67,11 @@ struct periodic_orbit {
     proved_decimal period;
 };
 
-/// The periodic orbit near the initial values of an autonomous system: the unknown that changes fastest there, relative
-/// to its size, is fixed, and the period is estimated from the nearest return among the first ones. Throws error like
+/// The index in names_of_state() of the unknown that is fixed: it changes fastest at the initial point, relative to its
+/// size. Throws error for a point of rest.
+std::size_t unknown_on_section(const explicit_system& system);
+
+/// The periodic orbit near the initial values of an autonomous system: an unknown is fixed (unknown_on_section), and the period is estimated from the nearest return among the first ones. Throws error like
 /// proved_root; for orbits in families, as if there is a first integral, dF/dx is singular.
 periodic_orbit proved_periodic_orbit(const explicit_system& system, long digits, const proof_route& route = {},
                                      const march_watch& watch = {});

@@ -18,25 +18,6 @@
 
 namespace libration::ode {
 
-namespace {
-
-constexpr long first_root_bits = 160;
-constexpr int most_root_steps = 60;
-constexpr int most_boxes = 6;
-constexpr int most_proofs = 12;
-// The maximum number of proofs that fail for another reason than too few digits, each with half as many bits more: the
-// derivative has the same low precision in all of them.
-constexpr int most_failed_proofs = 5;
-
-constexpr long digits_of_iterate = 10;
-constexpr long digits_of_residual = 3;
-
-std::string rounded_text(const ball& x, long digits) {
-    const precision_scope scope(digits + 20);
-    return is_finite(x) ? to_decimal(midpoint_of(x), digits) : "not finite";
-}
-
-// An approximate inverse of the midpoint: exact numbers, not an enclosure; std::nullopt if it is singular.
 std::optional<ball_matrix> inverse_near(const ball_matrix& a) {
     const auto size = static_cast<slong>(a.size());
     arb_mat_t from;
@@ -61,6 +42,24 @@ std::optional<ball_matrix> inverse_near(const ball_matrix& a) {
     arb_mat_clear(from);
     arb_mat_clear(to);
     return regular ? std::optional(result) : std::nullopt;
+}
+
+namespace {
+
+constexpr long first_root_bits = 160;
+constexpr int most_root_steps = 60;
+constexpr int most_boxes = 6;
+constexpr int most_proofs = 12;
+// The maximum number of proofs that fail for another reason than too few digits, each with half as many bits more: the
+// derivative has the same low precision in all of them.
+constexpr int most_failed_proofs = 5;
+
+constexpr long digits_of_iterate = 10;
+constexpr long digits_of_residual = 3;
+
+std::string rounded_text(const ball& x, long digits) {
+    const precision_scope scope(digits + 20);
+    return is_finite(x) ? to_decimal(midpoint_of(x), digits) : "not finite";
 }
 
 std::vector<ball> times(const ball_matrix& a, const std::vector<ball>& x) {

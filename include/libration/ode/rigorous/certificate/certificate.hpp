@@ -27,13 +27,15 @@ struct certified_zeros {
     std::vector<decimal_interval> times;
 };
 
-/// The value of an unknown or a lower derivative, by its index in names_of_state(), at a time, or at a zero of the
-/// condition, by its index.
+/// The value of an unknown or a lower derivative, by its index in names_of_state(), at a time, at all times from it to
+/// `until`, or at a zero of the condition, by its index. The index plus the number of these names is that of the
+/// derivative by the varied start.
 struct claimed_value {
     rational time;
     std::size_t place = 0;
     decimal_interval in;
     std::optional<std::size_t> zero = {};
+    std::optional<rational> until = {};
 };
 
 /// All numbers between two fractions, instead of the initial value of the unknown or lower derivative with this index.
@@ -43,11 +45,13 @@ struct start_interval {
 };
 
 /// What a certificate proves: values at times, or at all zeros of a condition up to the last that is listed; of every
-/// solution that begins in an interval, if there is one.
+/// solution that begins in the intervals, if there are any; also of the derivatives of the solution by the start with the
+/// index `varied`.
 struct certified_statement {
     std::vector<claimed_value> values;
     std::optional<certified_zeros> zeros = {};
-    std::optional<start_interval> start = {};
+    std::vector<start_interval> starts = {};
+    std::optional<std::size_t> varied = {};
 };
 
 /// The text of a certificate: the equations as typed, the definitions of the unknowns added by the polynomial form, and

@@ -196,6 +196,11 @@ std::vector<proved_decimal> orbit_or_family(const explicit_system& system, const
 
 }  // namespace
 
+std::size_t unknown_on_section(const explicit_system& system) {
+    const precision_scope scope(decimal_digits(first_bits));
+    return fastest(first_order_form(system));
+}
+
 periodic_orbit proved_periodic_orbit(const explicit_system& system, long digits, const proof_route& route,
                                      const march_watch& watch) {
     const first_order_form form(system);
@@ -209,10 +214,9 @@ periodic_orbit proved_periodic_orbit(const explicit_system& system, long digits,
         refuse_family(system, "is not isolated: the energy of a motion in a potential is conserved");
     }
     std::vector<number> guess = form.starts;
-    std::size_t held = 0;
+    const std::size_t held = unknown_on_section(system);
     {
         const precision_scope scope(decimal_digits(first_bits));
-        held = fastest(form);
         guess.push_back(guessed_period(system, form, held, watch));
     }
     guess.erase(guess.begin() + static_cast<std::ptrdiff_t>(held));

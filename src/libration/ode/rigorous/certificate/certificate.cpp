@@ -10,6 +10,8 @@
 #include "certified_run.hpp"
 #include "libration/ode/ball/step_pieces.hpp"
 #include "libration/scalar/ball/predicates.hpp"
+#include "libration/scalar/text/decimal.hpp"
+#include "varied_form.hpp"
 
 namespace libration::ode {
 
@@ -40,8 +42,11 @@ long lacking_bits(const ball& value, const decimal_interval& in) {
 // The statement in the order in which an integration reaches its parts.
 class claimed_statement {
 public:
-    claimed_statement(const explicit_system& system, const certified_statement& of)
-        : names_(names_of_state(system)), zeros_(of.zeros), form_(lifted_with(system, conditions_of(of))) {
+    claimed_statement(const explicit_system& system, std::vector<std::string> names, const certified_statement& of)
+        : names_(std::move(names)), zeros_(of.zeros), form_(lifted_with(system, conditions_of(of))) {
+        if (of.varied) {
+            form_.form = with_derivatives(form_.form);
+        }
         const rational origin = *system.point().fraction();
         bool before = false;
         bool after = false;
@@ -74,7 +79,8 @@ public:
         }
         long lacking = 0;
         for (const claimed_value* each : ordered_) {
-            const auto state = by.at(each->time, watch);
+            const ball first = from_rational<ball>(each->time);
+            const auto state = by.at(each->until ? hull(first, from_rational<ball>(*each->until)) : first, watch);
             if (!state) {
                 return std::nullopt;
             }
@@ -87,8 +93,8 @@ public:
     std::string text() const {
         std::string lines = zero_lines_;
         for (const claimed_value* each : ordered_) {
-            lines += "claim " + (each->zero ? "#" + std::to_string(*each->zero + 1) : each->time.str()) + " " +
-                     names_[each->place] + " " + each->in.lower + " " + each->in.upper + "\n";
+            lines += "claim " + text_of_time(*each) + " " + names_[each->place] + " " + each->in.lower + " " +
+                     each->in.upper + "\n";
         }
         return lines;
     }
@@ -98,7 +104,14 @@ private:
         return of.zeros ? std::vector{of.zeros->condition} : std::vector<expression>();
     }
     rational time_of(const claimed_value& value) const {
-        return value.zero ? (zeros_->times[*value.zero].low + zeros_->times[*value.zero].high) / 2 : value.time;
+        return value.zero ? (zeros_->times[*value.zero].low + zeros_->times[*value.zero].high) / 2
+                          : value.until.value_or(value.time);
+    }
+    static std::string time_text(const rational& time) { return to_finite_decimal(time).value_or(time.str()); }
+    static std::string text_of_time(const claimed_value& value) {
+        return value.zero    ? "#" + std::to_string(*value.zero + 1)
+               : value.until ? time_text(value.time) + ":" + time_text(*value.until)
+                             : value.time.str();
     }
 
     // Ends where the zeros are not isolated, since another run is needed then.
@@ -152,11 +165,12 @@ double better_limit(const explicit_system& system, claimed_statement& statement,
 
 std::string certificate_of(const explicit_system& system, const certified_statement& statement, long digits,
                            const std::function<void(const ball& reached, long bits)>& watch) {
-    claimed_statement claimed(system, statement);
+    claimed_statement claimed(system, certified_names(system, statement), statement);
     const std::string head = problem_of_certificate(system, claimed.form(), statement);
     run_choice choice{.bits = std::lround(static_cast<double>(digits) * bits_of_digit) + guard_of_first_run,
                       .keeps_tubes = claimed.has_zeros(),
-                      .start = statement.start};
+                      .starts = statement.starts,
+                      .varied = statement.varied};
     choice.slowest_fast = better_limit(system, claimed, choice, watch);
     for (int run = 0; run < most_certificate_runs && choice.bits <= most_certificate_bits; ++run) {
         certified_run by(system, claimed.form(), choice);

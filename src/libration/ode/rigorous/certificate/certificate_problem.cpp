@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "certificate_text.hpp"
 #include "libration/ode/node_values.hpp"
 
 namespace libration::ode {
@@ -129,6 +130,15 @@ std::string start_text(const number& value, const std::string& name) {
 
 }  // namespace
 
+std::vector<std::string> certified_names(const explicit_system& system, const certified_statement& statement) {
+    auto names = names_of_state(system);
+    const std::size_t own = statement.varied ? names.size() : 0;
+    for (std::size_t k = 0; k < own; ++k) {
+        names.push_back("d(" + names[k] + ")");
+    }
+    return names;
+}
+
 bool holds_at_start(const explicit_system& system, const expression& condition) {
     bool exact = true;
     const expression at_start = replaced(condition, [&](const expression& leaf) -> std::optional<expression> {
@@ -174,17 +184,20 @@ std::string problem_of_certificate(const explicit_system& system, const lifted_s
     std::size_t place = 0;
     for (const auto& values : system.starts()) {
         for (const number& each : values) {
-            const bool open = statement.start && statement.start->place == place;
+            const auto open = std::ranges::find(statement.starts, place, &start_interval::place);
             text += "start " +
-                    (open ? "[" + statement.start->low.str() + ", " + statement.start->high.str() + "]"
-                          : start_text(each, state[place])) +
+                    (open == statement.starts.end()
+                         ? start_text(each, state[place])
+                         : "[" + decimal_fraction(open->low) + ", " + decimal_fraction(open->high) + "]") +
                     "\n";
             ++place;
         }
     }
+    text += statement.varied ? "vary " + state[*statement.varied] + "\n" : "";
     names.clear();
+    const auto given = certified_names(system, statement);
     for (std::size_t k = 0; k < form.leaves.size(); ++k) {
-        names.emplace(form.leaves[k].name(), k < form.given ? state[k] : "_" + std::to_string(k - form.given + 1));
+        names.emplace(form.leaves[k].name(), k < given.size() ? given[k] : "_" + std::to_string(k - form.given + 1));
     }
     const formula_text in_form(system.variable(), names);
     for (std::size_t k = 0; k < form.added.size(); ++k) {

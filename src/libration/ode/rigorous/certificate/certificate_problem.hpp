@@ -1,15 +1,18 @@
 // The head of a certificate: equations, initial values and the unknowns that the polynomial form adds, as text.
 #pragma once
 
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "libration/ode/lifted_system.hpp"
 #include "libration/ode/rigorous/certificate/certificate.hpp"
 
 namespace libration::ode {
 
-/// The lines `variable`, `at`, `equation`, `start`, `define` and `condition` of a certificate. Throws error of the kind
+/// The names of the unknowns and their lower derivatives, and of the derivatives of these by the varied start.
+std::vector<std::string> certified_names(const explicit_system& system, const certified_statement& statement);
+
+/// The lines `variable`, `at`, `equation`, `start`, `vary`, `define` and `condition` of a certificate. Throws error of the kind
 /// argument and the subject "certificate" if the format does not contain the problem.
 std::string problem_of_certificate(const explicit_system& system, const lifted_system& form,
                                    const certified_statement& statement);

@@ -28,6 +28,23 @@ rational fraction_of(const ball& exact) {
     return exponent < 0 ? rational(integer(numerator * power)) : rational(numerator, power);
 }
 
+std::string decimal_fraction(const rational& q) {
+    integer rest = denominator(q);
+    long twos = 0;
+    long fives = 0;
+    for (; rest % 2 == 0; rest /= 2) {
+        ++twos;
+    }
+    for (; rest % 5 == 0; rest /= 5) {
+        ++fives;
+    }
+    const integer power = pow(integer(10), static_cast<unsigned>(std::max(twos, fives)));
+    if (rest != 1 || power == 1) {
+        return q.str();
+    }
+    return integer(numerator(q) * (power / denominator(q))).str() + "/" + power.str();
+}
+
 namespace {
 
 std::string hexadecimal(const ball& whole) {

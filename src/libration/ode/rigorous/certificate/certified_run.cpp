@@ -7,6 +7,7 @@
 #include "certificate_text.hpp"
 #include "libration/ode/ball/step_pieces.hpp"
 #include "libration/scalar/ball/predicates.hpp"
+#include "libration/scalar/text/decimal.hpp"
 
 namespace libration::ode {
 
@@ -16,6 +17,20 @@ constexpr long guard_of_rounding = 8;
 // The bounds of the program that checks are integers times 2^-S; S has so many bits more than the polynomials.
 constexpr long more_bits_of_bounds = 64;
 constexpr double digits_below_width = 4;
+// Integers of a certificate have five digits.
+constexpr long most_steps = 99'999;
+constexpr long steps_of_estimate = 500;
+// The length may still grow: so many times the steps that are possible are expected before the run ends.
+constexpr double doubtful = 4;
+
+[[noreturn]] void refuse_steps(double expected, const rational& time) {
+    const precision_scope scope(20);
+    throw error(error_kind::argument, "certificate", "",
+                "contains at most " + std::to_string(most_steps) + " steps, and to time " +
+                    to_finite_decimal(time).value_or(time.str()) + " there would be about " +
+                    to_decimal(mpfr(expected), 2) +
+                    ": choose an earlier time, or leave it out and compare two proofs with --check");
+}
 
 // The box of all unknowns of the form, from a box of the given ones. The checker encloses the sine of [a, b] by that of
 // a, with b - a as radius.
@@ -51,7 +66,7 @@ std::optional<tube_set> box_of_start(const lifted_system& of, const ball& time, 
 
 certified_run::certified_run(const explicit_system& system, const lifted_system& form, const run_choice& choice)
     : form_(form),
-      begins_in_box_(choice.start.has_value()),
+      begins_in_box_(!choice.starts.empty()),
       integrator_(form, choice.bits, 0, {choice.slowest_fast, digits_below_width}),
       map_(form),
       rounding_(choice.bits - guard_of_rounding, integrator_.bits() + more_bits_of_bounds),
@@ -68,16 +83,27 @@ certified_run::certified_run(const explicit_system& system, const lifted_system&
     }
     const precision_scope scope(decimal_digits(bits_));
     time_ = constant_value<ball>::of(system.point());
-    std::vector<magnitude> radii;
+    add_starts(system, choice);
+}
+
+void certified_run::add_starts(const explicit_system& system, const run_choice& choice) {
+    std::vector<ball> starts;
     for (const auto& values : system.starts()) {
         for (const number& each : values) {
-            const bool open = choice.start && choice.start->place == given_.centre.size();
-            const ball value =
-                open ? hull(from_rational<ball>(choice.start->low), from_rational<ball>(choice.start->high))
-                     : constant_value<ball>::of(each);
-            given_.centre.push_back(midpoint_alone(value));
-            radii.push_back(magnitude::radius_of(value));
+            const auto open = std::ranges::find(choice.starts, starts.size(), &start_interval::place);
+            starts.push_back(open == choice.starts.end()
+                                 ? constant_value<ball>::of(each)
+                                 : hull(from_rational<ball>(open->low), from_rational<ball>(open->high)));
         }
+    }
+    const std::size_t own = choice.varied ? starts.size() : 0;
+    for (std::size_t k = 0; k < own; ++k) {
+        starts.emplace_back(k == *choice.varied ? 1 : 0);
+    }
+    std::vector<magnitude> radii;
+    for (const ball& each : starts) {
+        given_.centre.push_back(midpoint_alone(each));
+        radii.push_back(magnitude::radius_of(each));
     }
     given_.errors = error_set(std::move(radii));
     given_.slow = given_.centre.size();
@@ -99,6 +125,8 @@ bool certified_run::begin(const rational& farthest) {
     set->errors = error_set(set->errors.columns(), set->errors.blocks(), set->errors.radii(), std::move(added));
     const ball rest = from_rational<ball>(farthest) - time_;
     integrator_.begin(time_, *set, first_length(set->centre, rest));
+    farthest_ = farthest;
+    counted_from_ = begin_.convert_to<double>();
     return prepare();
 }
 
@@ -114,13 +142,29 @@ bool certified_run::advance(const certificate_watch& watch) {
     if (watch) {
         watch(integrator_.reached(), bits());
     }
+    count_step();
     return prepare();
 }
 
-std::optional<std::vector<ball>> certified_run::at(const rational& time, const certificate_watch& watch) {
+void certified_run::count_step() {
+    if (++taken_ % steps_of_estimate == 0) {
+        const double now = begin_.convert_to<double>();
+        const double length = (now - counted_from_) / steps_of_estimate;
+        const double expected = static_cast<double>(taken_) + (farthest_.convert_to<double>() - now) / length;
+        if (expected > doubtful * most_steps) {
+            refuse_steps(expected, farthest_);
+        }
+        counted_from_ = now;
+    }
+    if (taken_ >= most_steps) {
+        refuse_steps(static_cast<double>(taken_), farthest_);
+    }
+}
+
+std::optional<std::vector<ball>> certified_run::at(const ball& time, const certificate_watch& watch) {
     const precision_scope scope(decimal_digits(bits_));
     for (;;) {
-        const ball rest = from_rational<ball>(time) - integrator_.reached();
+        const ball rest = time - integrator_.reached();
         if (certainly_less(abs(rest), abs(integrator_.length())) || arb_is_zero(rest.handle()) != 0) {
             return integrator_.values_at(rest);
         }

@@ -21,7 +21,8 @@ struct run_choice {
     double slowest_fast = collocation_integrator::usual_slowest_fast;
     bool rounds = false;       ///< steps become those of a certificate
     bool keeps_tubes = false;  ///< by the suprema that a certificate has, also without rounding
-    std::optional<start_interval> start = {};
+    std::vector<start_interval> starts = {};
+    std::optional<std::size_t> varied = {};  ///< of a form with derivatives by this start
 };
 
 class certified_run {
@@ -30,10 +31,11 @@ public:
 
     /// Prepares the first step, on the way to this time; false if none is proved.
     bool begin(const rational& farthest);
-    /// Takes the prepared step, and prepares the next one; false if none is proved.
+    /// Takes the prepared step, and prepares the next one; false if none is proved. Throws error of the kind argument and
+    /// the subject "certificate" if there are more steps than the format contains, or would be at the present length.
     bool advance(const certificate_watch& watch);
-    /// The state at a time, later than or at those before; std::nullopt if the proof ends before.
-    std::optional<std::vector<ball>> at(const rational& time, const certificate_watch& watch);
+    /// The state at every time of a ball, later than or at those before; std::nullopt if the proof ends before.
+    std::optional<std::vector<ball>> at(const ball& time, const certificate_watch& watch);
 
     /// The prepared step, in a run that rounds or keeps tubes, and the exact time at which it begins.
     const solution_tube& tube() const { return *tube_; }
@@ -47,7 +49,9 @@ public:
 
 private:
     std::optional<tube_set> start_set() const;
+    void add_starts(const explicit_system& system, const run_choice& choice);
     bool prepare();
+    void count_step();
     ball first_length(const std::vector<ball>& state, const ball& rest) const;
 
     const lifted_system& form_;
@@ -62,6 +66,9 @@ private:
     std::optional<solution_tube> tube_;
     std::string text_;
     long steps_ = 0;
+    rational farthest_;
+    double counted_from_ = 0;  ///< the time at which the length of the steps was estimated last
+    long taken_ = 0;
 };
 
 }  // namespace libration::ode

@@ -1,0 +1,37 @@
+#include "certificate_text.hpp"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "libration/scalar/ball/predicates.hpp"
+
+namespace libration {
+
+std::string text_of_certificate(const ode::explicit_system& system, const ode::certified_statement& statement,
+                                const rational& farthest, long digits, const request& how) {
+    const auto whole = farthest.convert_to<double>();
+    return ode::certificate_of(system, statement, digits, [&](const ball& reached, long bits) {
+        const double time = midpoint_of(reached).convert_to<double>();
+        if (how.reached) {
+            how.reached(time, bits);
+        }
+        if (how.progress) {
+            how.progress(whole == 0 ? 0 : std::clamp(time / whole, 0.0, 1.0));
+        }
+    });
+}
+
+std::string compressed_certificate(const std::string& text) {
+    uLongf size = compressBound(text.size());
+    std::string result(size, '\0');
+    if (compress2(reinterpret_cast<Bytef*>(result.data()), &size, reinterpret_cast<const Bytef*>(text.data()),
+                  text.size(), Z_BEST_COMPRESSION) != Z_OK) {
+        throw std::runtime_error("zlib does not compress a text in memory");
+    }
+    result.resize(size);
+    return result;
+}
+
+}  // namespace libration

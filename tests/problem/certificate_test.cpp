@@ -1,0 +1,99 @@
+// Certificates of roots: check/libration_check.py, a program in integers, proves that there is exactly one. Tests of other
+// certificates are those of the command (tests/command/certificate_test.cpp).
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "certificates/checked.hpp"
+#include "command/temporary_folder.hpp"
+#include "libration/problem/certificate.hpp"
+#include "libration/problem/find.hpp"
+#include "libration/scalar/enclose.hpp"
+
+namespace problem_certificate_test {
+
+using namespace libration;
+using namespace libration::tests;
+
+namespace {
+
+using words = std::vector<std::string>;
+
+words values_of(const answer& found) {
+    words values;
+    for (std::size_t k = 0; k < found.rows.size(); ++k) {
+        values.push_back(found.at(k, "value"));
+    }
+    return values;
+}
+
+checked_certificate checked_content(const std::string& content) {
+    const temporary_folder folder;
+    const auto file = folder.path() / "a.cert";
+    std::ofstream(file, std::ios::binary) << content;
+    return checked(file);
+}
+
+checked_certificate checked_root(const std::string& equations, const words& unknowns, const words& conditions,
+                                 long digits) {
+    const problem of(equations);
+    const request how = proved_digits(digits);
+    const auto found = find_unknowns(of, unknowns, conditions, how);
+    return checked_content(certificate_of_root(of, unknowns, conditions, values_of(found), how));
+}
+
+}  // namespace
+
+// x = cos(t - 1).
+TEST_CASE("the certificate of a root of two unknowns is proved", "[problem][certificate]") {
+    const auto proved = checked_root("x'' = -x; x(0) = 1; x'(0) = 1", {"x'(0)", "x(0)"}, {"x(1) = 1", "x'(1) = 0"}, 10);
+    INFO(proved.out);
+    CHECK(proved.exit_code == 0);
+    CHECK(contains(proved.out, "exactly one choice of x(0) in [540302305"));
+    CHECK(contains(proved.out, "x(1) = 1,\n    x'(1) = 0."));
+}
+
+// Functions of a start that is an interval, and a time before the initial point.
+TEST_CASE("the certificate of a root of an equation with functions is proved", "[problem][certificate]") {
+    const auto proved =
+        checked_root("y' = k*exp(-y)/(2 + cos(t)) + sqrt(y); y(1) = 1; k = 1", {"k"}, {"y(1/2) = 1/2"}, 12);
+    INFO(proved.out);
+    CHECK(proved.exit_code == 0);
+    CHECK(contains(proved.out, "y(1/2) = 1/2."));
+}
+
+// The period of van der Pol's equation in the catalogue [PROBLEMS].
+TEST_CASE("the certificate of a periodic orbit is proved", "[problem][certificate]") {
+    const problem of("x'' = (1 - x^2)*x' - x; x(1) = 2; x'(1) = 0");
+    const request how = proved_digits(10);
+    const std::string content = certificate_of_orbit(of, values_of(find_periodic_orbit(of, how)), how);
+    const auto proved = checked_content(content);
+    INFO(proved.out);
+    CHECK(proved.exit_code == 0);
+    CHECK(contains(proved.out, "exactly one choice of x(1) in ["));
+    CHECK(contains(proved.out, "t in [7.6632868"));
+    CHECK(contains(proved.out, "x(t) = x(1),\n    x'(t) = x'(1)."));
+}
+
+TEST_CASE("roots that the format does not contain have no certificate", "[problem][certificate]") {
+    const problem of("x'' = -x; x(0) = a; x'(0) = a; a = 1");
+    CHECK_THROWS_WITH(certificate_of_root(of, {"a"}, {"x(1) = 1"}, {"0.72"}, proved_digits(2)),
+                      Catch::Contains("on which an initial value depends, as on a"));
+    const problem spring("x'' = -x; x(0) = 1; x'(0) = 1");
+    CHECK_THROWS_WITH(certificate_of_root(spring, {"x(0)"}, {"x(1) = x(0)"}, {"0.72"}, proved_digits(2)),
+                      Catch::Contains("contains roots of conditions such as y(1) = 1/2"));
+    // A decimal that is not that of a root.
+    CHECK_THROWS_WITH(certificate_of_root(spring, {"x(0)"}, {"x(1) = 1"}, {"0.72"}, proved_digits(2)),
+                      Catch::Contains("not found again"));
+}
+
+// A step of x'' = -x has a length of about 2.
+TEST_CASE("a certificate with too many steps is not begun", "[problem][certificate]") {
+    const problem of("x'' = -x; x(0) = 1; x'(0) = 0");
+    const ode::explicit_system system(of.equations());
+    CHECK_THROWS_WITH(certificate_of_states(system, {read_exact("1e9")}, {{{"0.84", "-0.55"}}, 2}, proved_digits(2)),
+                      Catch::Contains("contains at most 99999 steps, and to time 1000000000 there would be about"));
+}
+
+}  // namespace problem_certificate_test
