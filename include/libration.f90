@@ -347,6 +347,18 @@ module libration
             type(c_ptr), value :: context
             type(c_ptr), intent(out) :: values
         end function
+        function libration_problem_branch(problem, unknowns, conditions, along, digits, watch, context, points) bind(c)
+            import :: c_ptr, c_char, c_long, c_int, c_funptr
+            integer(c_int) :: libration_problem_branch
+            type(c_ptr), value :: problem
+            character(kind=c_char), intent(in) :: unknowns(*)
+            character(kind=c_char), intent(in) :: conditions(*)
+            character(kind=c_char), intent(in) :: along(*)
+            integer(c_long), value :: digits
+            type(c_funptr), value :: watch
+            type(c_ptr), value :: context
+            type(c_ptr), intent(out) :: points
+        end function
         function libration_problem_orbit(problem, digits, watch, context, orbit) bind(c)
             import :: c_ptr, c_long, c_int, c_funptr
             integer(c_int) :: libration_problem_orbit

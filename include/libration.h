@@ -218,6 +218,15 @@ int libration_problem_find(const libration_problem *problem, const char *unknown
 int libration_problem_find_certificate(const libration_problem *problem, const char *unknowns, const char *conditions,
                                        long digits, const char *path, libration_watch watch, void *context,
                                        libration_table **values);
+/* The branch of solutions of the conditions in another parameter `along`, "k = 0:3.5:36", FIRST:LAST:COUNT or a list in
+ * one direction, from its first value and the first guess of the problem on, past turning points: in the order of the
+ * branch a row for each passage of one of the values and for each turning point, proved to exist: point ("solution" or
+ * "turning point"), the parameter, the unknowns, and note, in the last row where and why the branch ends. UNDECIDED also
+ * gives a table, of the proved points, if others are not, or if the branch could not be continued; a number that is not
+ * distinguished from 0 is then 0 as in libration_problem_known_states. The callback is called in integrations, with 0. */
+int libration_problem_branch(const libration_problem *problem, const char *unknowns, const char *conditions,
+                             const char *along, long digits, libration_watch watch, void *context,
+                             libration_table **points);
 /* The periodic orbit near the initial values of an autonomous problem, proved: name, value of the unknowns and their
  * lower derivatives on a section, and of the period. The callback is called in integrations, with 0. */
 int libration_problem_orbit(const libration_problem *problem, long digits, libration_watch watch, void *context,

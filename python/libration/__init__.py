@@ -20,7 +20,7 @@ from .errors import ArgumentError, Fault, LibrationError, RangeError, UnableErro
 from .ivp import OdeResult, OdeSolution, solve_ivp
 from .motions import Motion, Samples, motion
 from .odefun import OdeFunction, odefun
-from .problems import Derivatives, Problem, Radius, Singularities, catalogue, problem, radius
+from .problems import Branch, Derivatives, Problem, Radius, Singularities, catalogue, problem, radius
 from .studies import Study, study, table
 from .tables import Row, Table
 from .texts import exact
@@ -32,6 +32,7 @@ __version__: str = _libration.version()
 __all__ = [
     "ArgumentError",
     "Ball",
+    "Branch",
     "Derivatives",
     "Fault",
     "LibrationError",

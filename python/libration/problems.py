@@ -6,7 +6,7 @@ import re
 import warnings
 from collections.abc import Callable, Mapping, Sequence
 from os import PathLike, fspath
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, overload
 
 import numpy as np
 
@@ -65,6 +65,28 @@ class Singularities(Table):
         x, y = x or "position_re", y or "position_im"
         axes = axes_of(ax)
         axes.plot([number_of(cell) for cell in self[x]], [number_of(cell) for cell in self[y]], "x")
+        axes.set_xlabel(x)
+        axes.set_ylabel(y)
+        return axes
+
+
+class Branch(Table):
+    """point ("solution" or "turning point"), the parameter, and the unknowns, in the order of the branch."""
+
+    def __init__(self, names: Sequence[str], cells: Sequence[Sequence[Cell]]) -> None:
+        super().__init__(names[:-1], [row[:-1] for row in cells])
+        #: Where and why the branch ends.
+        self.end = str(cells[-1][-1]) if cells else ""
+
+    def __repr__(self) -> str:
+        return f"{self}\nthe branch {self.end}"
+
+    def plot(self, x: str | None = None, y: str | None = None, ax: Any = None) -> Any:
+        """Draws an unknown, the first one unless `y` is another, against the parameter, and returns the axes of
+        matplotlib."""
+        x, y = x or self.names[1], y or self.names[2]
+        axes = axes_of(ax)
+        axes.plot([number_of(cell) for cell in self[x]], [number_of(cell) for cell in self[y]], ".-")
         axes.set_xlabel(x)
         axes.set_ylabel(y)
         return axes
@@ -263,21 +285,53 @@ class Problem:
         except UndecidedError as problem:
             raise _with_partial(problem, lambda table: Table._of(table)[0]) from None
 
+    @overload
     def find(
         self,
         unknowns: str | Sequence[str],
         such_that: str | Sequence[str],
         digits: int = 50,
         certificate: str | PathLike[str] | None = None,
-    ) -> dict[str, Ball]:
+        along: None = None,
+    ) -> dict[str, Ball]: ...
+    @overload
+    def find(
+        self,
+        unknowns: str | Sequence[str],
+        such_that: str | Sequence[str],
+        digits: int = 50,
+        certificate: None = None,
+        *,
+        along: str,
+    ) -> Branch: ...
+
+    def find(
+        self,
+        unknowns: str | Sequence[str],
+        such_that: str | Sequence[str],
+        digits: int = 50,
+        certificate: str | PathLike[str] | None = None,
+        along: str | None = None,
+    ) -> dict[str, Ball] | Branch:
         """The parameters or initial values "k", ["k", "f''(0)"] for which as many conditions "f'(5) = 1" hold, near the
         values that the problem has, each digit proved. A condition at infinity, "f'(inf) = 1", is decided by a lemma
         about a problem of the catalogue; UndecidedError without one.
+
+        along, "k = 0:3.5:36" or a list of values in one direction, follows the branch of solutions in another parameter, from
+        its first value on and past turning points, each point proved. Raises UndecidedError if a point is not proved, or
+        the branch could not be continued; its `partial` has the others.
 
         certificate is the path of a file from which check() proves again, in integers, that there is exactly one such choice
         within one unit of the last digits: for conditions "f'(5) = 1" at one time that is a fraction."""
         names = unknowns if isinstance(unknowns, str) else ", ".join(unknowns)
         conditions = such_that if isinstance(such_that, str) else "; ".join(such_that)
+        if along is not None:
+            if certificate is not None:
+                raise ValueError("a certificate is of one solution: leave out along")
+            try:
+                return _branch(Table._of(self._problem.branch(names, conditions, along, digits)))
+            except UndecidedError as problem:
+                raise _with_partial(problem, lambda table: _branch(Table._of(table))) from None
         if certificate is not None:
             return _values(Table._of(self._problem.find_certificate(names, conditions, digits, fspath(certificate))))
         return _values(Table._of(self._problem.find(names, conditions, digits)))
@@ -298,6 +352,10 @@ class Values(dict[str, Ball]):
 
     def _repr_html_(self) -> str:
         return table_of(["name", "value"], list(self.items()))
+
+
+def _branch(table: Table) -> Branch:
+    return Branch(table.names, table.cells)
 
 
 def _values(table: Table) -> Values:

@@ -66,6 +66,20 @@ def test_unknowns_orbits_and_limits():
     assert str(lb.problem("y' = cos(y) - y; y(0) = 1").limits(20)["y"]) == "0.73908513321516064166"
 
 
+def test_a_branch_passes_its_turning_points():
+    # x(1) = s^3/3 - s - k.
+    cubic = lb.problem("x' = s^3/3 - 2*s - k; x(0) = s; s = -2; k = -2")
+    branch = cubic.find("s", "x(1) = 0", 15, along="k = -2:2:3")
+    turns = [row for row in branch if row["point"] == "turning point"]
+    assert [str(row["k"]) for row in turns] == ["0.666666666666667", "-0.666666666666667"]
+    assert [str(row["s"]) for row in turns] == ["-1.00000000000000", "1.00000000000000"]
+    assert branch.names == ["point", "k", "s"] and branch.end.startswith("leaves the range at k = 2.")
+    with pytest.raises(lb.ArgumentError, match="k = 0:1:11"):
+        cubic.find("s", "x(1) = 0", along="k")
+    with pytest.raises(ValueError, match="one solution"):
+        cubic.find("s", "x(1) = 0", along="k = 0, 1", certificate="a.cert")
+
+
 def test_radius_of_the_tangent():
     found = tangent().radius(order=100)
     assert not found.value.proved

@@ -431,6 +431,33 @@ TEST_CASE("unknowns, orbits and limits are those of the command", "[c]") {
           LIBRATION_UNDECIDED);
 }
 
+// x(1) = s + s^3/3 - s with x(0) = s is k: the turning points of x^3/3 - x are at -1 and 1, k = 2/3 and -2/3.
+TEST_CASE("a branch passes its turning points", "[c]") {
+    const auto cubic = problem_of("x' = s^3/3 - 2*s - k; x(0) = s; s = -2; k = -2");
+    const auto branch = made<table>([&](auto** to) {
+        return libration_problem_branch(cubic.get(), "s", "x(1) = 0", "k = -2:2:3", 20, nullptr, nullptr, to);
+    });
+    REQUIRE(libration_table_columns(branch.get()) == 4);
+    CHECK(std::string(libration_table_name(branch.get(), 1)) == "k");
+    std::vector<std::string> turns;
+    for (size_t row = 0; row < libration_table_rows(branch.get()); ++row) {
+        const bool is_last = row + 1 == libration_table_rows(branch.get());
+        const std::string note = libration_table_text(branch.get(), row, 3);
+        CHECK(note.starts_with("leaves the range at k = 2.") == is_last);
+        if (libration_table_text(branch.get(), row, 0) == std::string("turning point")) {
+            turns.push_back(cell(branch, row, 1));
+        }
+    }
+    CHECK(turns == std::vector<std::string>{"0.66666666666666666667", "-0.66666666666666666667"});
+    libration_table* none = nullptr;
+    for (const char* const wrong : {"k", "q = 0, 1", "k = 0, 2, 1", "k = 0:1", "s = 0, 1"}) {
+        CHECK(libration_problem_branch(cubic.get(), "s", "x(1) = 0", wrong, 20, nullptr, nullptr, &none) ==
+              LIBRATION_ARGUMENT);
+    }
+    CHECK(none == nullptr);
+    CHECK(libration_error_subject() == std::string("unknowns"));
+}
+
 TEST_CASE("the radius of the tangent is pi/2", "[c]") {
     const auto tangent = problem_of("x' = 1 + x^2; x(0) = 0");
     const auto tests = made<table>([&](auto** to) { return libration_problem_radius(tangent.get(), 80, 20, to); });

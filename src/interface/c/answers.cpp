@@ -59,6 +59,20 @@ libration_table table_of_values(const answer& found) {
     return table;
 }
 
+libration_table table_of_branch(const answer& found) {
+    libration_table table{found.names, {}};
+    table.names.emplace_back("note");
+    const auto end = std::ranges::find(found.notes, std::string("end"), &answer_note::name);
+    for (const auto& row : found.rows) {
+        table.add(row.front().text);
+        for (auto value = row.begin() + 1; value != row.end(); ++value) {
+            add_known(table, *value, found.rigour);
+        }
+        table.add(&row == &found.rows.back() && end != found.notes.end() ? end->text : std::string());
+    }
+    return table;
+}
+
 libration_table known_states::complete() && {
     if (missing) {
         throw error(*missing);

@@ -25,6 +25,10 @@ libration_table table_of_numbers(const answer& found);
 /// A name and a value in each row.
 libration_table table_of_values(const answer& found);
 
+/// The points of a branch: words in the first column, then numbers as above; a last column `note` is empty except in the
+/// last row, which has the note "end" of the answer.
+libration_table table_of_branch(const answer& found);
+
 /// A row for each time, with what is known of it, and the reason if something is missing.
 struct known_states {
     libration_table table;

@@ -253,6 +253,13 @@ void define_problems(py::module_& m) {
                                                        to);
         });
     });
+    problem.def("branch", [](const problem_object& of, const std::string& unknowns, const std::string& conditions,
+                             const std::string& along, long digits) {
+        return known_table([&](auto** to) {
+            return libration_problem_branch(of.handle.get(), unknowns.c_str(), conditions.c_str(), along.c_str(),
+                                            digits, watch_signals, nullptr, to);
+        });
+    });
     problem.def("orbit", [](const problem_object& of, long digits) {
         return table(
             [&](auto** to) { return libration_problem_orbit(of.handle.get(), digits, watch_signals, nullptr, to); });
