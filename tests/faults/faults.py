@@ -770,6 +770,6 @@ FAULTS = [
     *in_file(
         "src/libration/ode/rigorous/certificate/certified_run.cpp", [CERTIFICATES],
         ("the derivatives by the first start", "k == *choice.varied ? 1 : 0", "k == 0 ? 1 : 0"),
-        ("steps without end", "if (expected > doubtful * most_steps) {", "if (false) {"),
+        ("steps without end", "expected > doubtful * most_steps) {", "false) {"),
     ),
 ]

@@ -1,6 +1,7 @@
 #include "certified_run.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "../lifted_set.hpp"
@@ -19,8 +20,10 @@ constexpr long more_bits_of_bounds = 64;
 constexpr double digits_below_width = 4;
 // Integers of a certificate have five digits.
 constexpr long most_steps = 99'999;
-constexpr long steps_of_estimate = 500;
-// The length may still grow: so many times the steps that are possible are expected before the run ends.
+constexpr long steps_of_estimate = 100;
+// Where steps grow by such a factor from one estimate to the next, no number of steps is expected. Otherwise a run ends if
+// so many times the steps that are possible are expected.
+constexpr double growing = 1.25;
 constexpr double doubtful = 4;
 
 [[noreturn]] void refuse_steps(double expected, const rational& time) {
@@ -126,7 +129,7 @@ bool certified_run::begin(const rational& farthest) {
     const ball rest = from_rational<ball>(farthest) - time_;
     integrator_.begin(time_, *set, first_length(set->centre, rest));
     farthest_ = farthest;
-    counted_from_ = begin_.convert_to<double>();
+    start_ = counted_from_ = begin_.convert_to<double>();
     return prepare();
 }
 
@@ -149,12 +152,14 @@ bool certified_run::advance(const certificate_watch& watch) {
 void certified_run::count_step() {
     if (++taken_ % steps_of_estimate == 0) {
         const double now = begin_.convert_to<double>();
-        const double length = (now - counted_from_) / steps_of_estimate;
-        const double expected = static_cast<double>(taken_) + (farthest_.convert_to<double>() - now) / length;
-        if (expected > doubtful * most_steps) {
+        const double length = std::abs(now - counted_from_) / steps_of_estimate;
+        const double longest = std::max(length, std::abs(now - start_) / static_cast<double>(taken_));
+        const double expected = static_cast<double>(taken_) + std::abs(farthest_.convert_to<double>() - now) / longest;
+        if (length < growing * counted_length_ && expected > doubtful * most_steps) {
             refuse_steps(expected, farthest_);
         }
         counted_from_ = now;
+        counted_length_ = length;
     }
     if (taken_ >= most_steps) {
         refuse_steps(static_cast<double>(taken_), farthest_);

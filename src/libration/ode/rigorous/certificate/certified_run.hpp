@@ -67,7 +67,9 @@ private:
     std::string text_;
     long steps_ = 0;
     rational farthest_;
-    double counted_from_ = 0;  ///< the time at which the length of the steps was estimated last
+    double start_ = 0;
+    double counted_from_ = 0;    ///< the time of the last estimate of the length of steps
+    double counted_length_ = 0;  ///< that estimate, 0 before the first one
     long taken_ = 0;
 };
 
