@@ -80,7 +80,8 @@ std::map<std::string, rooms> order_of_rooms() {
                        "ode/proved",
                        "ode/proved/equilibrium",
                        "ode/hybrid",
-                       "ode/hybrid/proved"},
+                       "ode/hybrid/proved",
+                       "ode/delay"},
         numerical = arc + rooms{"pendulum/numerical"},
         pendulum = numerical + proofs +
                    rooms{"pendulum", "pendulum/proved", "pendulum/sampler", "pendulum/error", "pendulum/error/proved"},
@@ -131,6 +132,7 @@ std::map<std::string, rooms> order_of_rooms() {
          ode + balls +
              rooms{"ode/ball", "ode/rigorous/matrix", "ode/rigorous", "ode/rigorous/coordinates", "ode/singularity"}},
         {"ode/hybrid", ode},
+        {"ode/delay", ode},
         {"ode/hybrid/proved", ode + balls + rooms{"ode/ball", "ode/rigorous", "ode/proved", "ode/hybrid"}},
         {"ode/proved/equilibrium",
          ode + balls + rooms{"ode/ball", "ode/rigorous/matrix", "ode/rigorous", "ode/proved"}},

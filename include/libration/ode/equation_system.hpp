@@ -84,6 +84,24 @@ struct step_function {
     place at = {};
 };
 
+/// An unknown or a lower derivative at an earlier time, x(t - delay), in the equations, in which a parameter of this
+/// name represents it.
+struct delayed_value {
+    std::string parameter;
+    expression of;
+    expression delay;  ///< constant, may contain parameters
+    place at = {};
+};
+
+/// An unknown at all times up to the initial point, x(t <= point) = value, in the variable and parameters. It gives the
+/// initial values of the unknown and its lower derivatives too.
+struct history {
+    std::string unknown;
+    expression point;
+    expression value;
+    place at = {};
+};
+
 /// Differential equations in any sequence and of any order, from text (parse.hpp) or C++:
 ///     const auto f = ode::unknown("f");
 ///     ode::equation_system blasius;
@@ -100,11 +118,17 @@ struct equation_system {
     std::vector<open_parameter> open;  ///< of a text: parameters that it leaves open, to be set before solving
     std::vector<state_event> events;   ///< at which the solution jumps or ends
     std::vector<step_function> steps;  ///< the step functions of piecewise right-hand sides
+    std::vector<delayed_value> delays;
+    std::vector<history> histories;
 
     /// left = right.
     equation_system& add(const expression& left, const expression& right = 0);
     /// of(point) = value.
     equation_system& begin(const expression& of, const expression& value, const expression& point = 0);
+    /// of(t - delay) for the equations, of an unknown or a lower derivative.
+    expression delayed(const expression& of, const expression& delay, const place& at = {});
+    /// of(t) = value for t <= point, or another such value.
+    equation_system& before(const expression& of, const expression& value, const expression& point = 0);
     /// Adds a parameter, or changes its value.
     equation_system& set(const std::string& name, const expression& value);
 
@@ -120,6 +144,10 @@ struct equation_system {
     bool is_algebraic(const std::string& unknown) const;
     /// Whether it has neither events nor step functions.
     bool is_smooth() const { return events.empty() && steps.empty(); }
+    /// Whether it contains earlier values of its unknowns.
+    bool has_delays() const { return !delays.empty() || !histories.empty(); }
+    /// Whether it is a system of ordinary differential equations with one smooth right-hand side.
+    bool is_ordinary() const { return is_smooth() && !has_delays(); }
 
 private:
     std::optional<int> highest_derivative_of(const std::string& unknown) const;

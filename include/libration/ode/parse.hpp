@@ -21,6 +21,8 @@ inline constexpr std::size_t longest_name = 200;
 ///     r = k*f                                names for expressions in unknowns and the variable
 ///     0 = f^2 + g^2 - 1                      algebraic equations
 ///     variable x                             the independent variable
+///     f'(t) = -f(t - tau)                    a constant delay, positive: of unknowns and lower derivatives
+///     f(t <= 0) = 1 + t                      the history of a delayed unknown, which gives its initial values too
 ///     invariant E - cos(y)                   constant along a solution
 ///     exact f = tan(t)                       a closed form
 ///     # a comment

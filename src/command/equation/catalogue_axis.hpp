@@ -29,8 +29,8 @@ inline const problem_family& catalogue_as_problem() {
     return result;
 }
 
-/// The names given by the values of that axis: all means the whole catalogue, except problems with events and piecewise
-/// right-hand sides.
+/// The names given by the values of that axis: all means the whole catalogue, except problems with events, piecewise
+/// right-hand sides and delays.
 inline std::vector<std::string> problem_names_of(const std::vector<exact>& words) {
     std::vector<std::string> names;
     for (const exact& word : words) {
@@ -39,7 +39,7 @@ inline std::vector<std::string> problem_names_of(const std::vector<exact>& words
             continue;
         }
         for (const catalogue_entry& each : catalogue()) {
-            if (ode::parse(each.text).is_smooth()) {
+            if (ode::parse(each.text).is_ordinary()) {
                 names.emplace_back(each.name);
             }
         }

@@ -56,6 +56,26 @@ equation_system& equation_system::begin(const expression& of, const expression& 
     return *this;
 }
 
+expression equation_system::delayed(const expression& of, const expression& delay, const place& at) {
+    for (const delayed_value& each : delays) {
+        if (same_form(each.of, of) && same_form(each.delay, delay)) {
+            return parameter(each.parameter);
+        }
+    }
+    delays.push_back({"delayed " + std::to_string(delays.size() + 1), of, delay, at});  // not a name that can be typed
+    return parameter(delays.back().parameter);
+}
+
+equation_system& equation_system::before(const expression& of, const expression& value, const expression& point) {
+    const auto found = std::ranges::find(histories, of.name(), &history::unknown);
+    if (found != histories.end()) {
+        *found = {of.name(), point, value, {}};
+    } else {
+        histories.push_back({of.name(), point, value, {}});
+    }
+    return *this;
+}
+
 equation_system& equation_system::set(const std::string& name, const expression& value) {
     const auto found = std::ranges::find(parameters, name, &definition::name);
     if (found != parameters.end()) {

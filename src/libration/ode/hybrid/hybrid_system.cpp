@@ -127,6 +127,11 @@ int relative_sign(const expression& a, const expression& b) {
 }
 
 hybrid_system::hybrid_system(const equation_system& given) : given_(given) {
+    if (!given.delays.empty()) {
+        const delayed_value& first = given.delays.front();
+        refuse(primed(first.of.name(), first.of.derivative()), first.at,
+               "is delayed, which is not supported together with events or piecewise right-hand sides: leave it out");
+    }
     given_.invariants.clear();
     given_.exact.clear();
     std::map<std::string, expression> open;

@@ -51,7 +51,8 @@ bool same_number(const number& a, const number& b) {
     return difference && difference->coefficient == 0;
 }
 
-// Events and step functions need a sequence of smooth systems (hybrid/hybrid_system.hpp).
+// Events and step functions need a sequence of smooth systems (hybrid/hybrid_system.hpp), delays a sequence of pieces
+// (delay/delay_system.hpp).
 void require_smooth(const equation_system& given) {
     const std::string reason =
         ", which is supported for values at times and for events (reference, trajectory) alone: leave it out";
@@ -60,6 +61,15 @@ void require_smooth(const equation_system& given) {
     }
     if (!given.steps.empty()) {
         refuse(given.steps.front().text, given.steps.front().at, "is piecewise" + reason);
+    }
+    const std::string of_values =
+        ", which is supported for values at times (reference, trajectory) alone: leave it out";
+    if (!given.delays.empty()) {
+        const delayed_value& first = given.delays.front();
+        refuse(primed(first.of.name(), first.of.derivative()), first.at, "is delayed" + of_values);
+    }
+    if (!given.histories.empty()) {
+        refuse(given.histories.front().unknown, given.histories.front().at, "has a history" + of_values);
     }
 }
 

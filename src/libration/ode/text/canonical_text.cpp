@@ -43,7 +43,8 @@ public:
             is_keyword(words_, "variable") || is_keyword(words_, "exact") || is_invariant(words_) || is_event(words_);
         for (std::size_t i = 0; i < words_.size(); ++i) {
             const bool spaced = is_symbol(words_[i], '=') || is_operator_of_sum(words_, i);
-            result += spaced ? " " + text_of_token(words_[i]) + " " : text_of_token(words_[i]);
+            const bool compares = i == 3 && is_history(words_);
+            result += spaced ? " " + text_of_token(words_[i]) + " " : compares ? " <= " : text_of_token(words_[i]);
             if ((keyword && i == 0) || is_direction(words_, i + 1)) {
                 result += " ";
             } else if (words_[i].kind == token_kind::numeral && i + 1 < words_.size() && is_operand(words_[i + 1])) {

@@ -96,6 +96,8 @@ constexpr std::array spellings{
     spelling{"⁄", "/", as_symbol},
     spelling{"−", "-", as_symbol},
     spelling{"–", "-", as_symbol},  // a dash
+    spelling{"≤", "<", as_symbol},
+    spelling{"≥", ">", as_symbol},
     spelling{"\u00a0", "", character_kind::blank},
     spelling{"\u2002", "", character_kind::blank},
     spelling{"\u2003", "", character_kind::blank},

@@ -18,8 +18,8 @@ constexpr int deepest_formula = 100;
 class formula_parser {
 public:
     formula_parser(const statement& words, std::size_t first, std::size_t last, const known_names& names,
-                   formula_role role, conditions_at_times* values, std::vector<step_function>* steps)
-        : words_(words), next_(first), last_(last), names_(names), role_(role), values_(values), steps_(steps) {}
+                   formula_role role, conditions_at_times* values, equation_system* into)
+        : words_(words), next_(first), last_(last), names_(names), role_(role), values_(values), into_(into) {}
 
     expression read() {
         expression value = sum();
@@ -235,12 +235,30 @@ private:
             return value_at_time(next_ - 1);
         }
         if (at_symbol('(') && words_[next_].touches) {
-            if (!names_.unknowns.contains(word.text) || !has_variable_behind(words_, next_ - 1, names_.variable)) {
+            if (!names_.unknowns.contains(word.text)) {
                 refuse_argument(words_, next_ - 1, names_);
+            }
+            if (!has_variable_behind(words_, next_ - 1, names_.variable)) {
+                return delayed(next_ - 1);
             }
             next_ += 3;  // y(t) is y
         }
         return named(word);
+    }
+
+    // y(t - 1), the name at this index.
+    expression delayed(std::size_t name) {
+        const token& word = words_[name];
+        const expression argument = in_parentheses(words_[next_++].at);
+        if (!argument.has_variable() && !argument.has_unknowns()) {
+            refuse_argument(words_, name, names_);
+        }
+        const expression delay = delay_of(argument, words_, name, next_, names_);
+        if (into_ == nullptr) {
+            refuse(text_of(words_, name, next_), word.at,
+                   "is a delayed unknown, which is supported only in equations: leave it out");
+        }
+        return into_->delayed(unknown(word.text, word.primes), delay, word.at);
     }
 
     // y'(1), in a condition.
@@ -280,7 +298,7 @@ private:
     // if(x > 0, a, b), abs(x), ..., the name at this index.
     expression piecewise(piecewise_kind kind, std::size_t name) {
         const token& word = words_[name];
-        if (steps_ == nullptr) {
+        if (into_ == nullptr) {
             refuse(word.text, word.at, "is piecewise, which is supported only in equations: write one of its branches");
         }
         take('(');
@@ -297,7 +315,7 @@ private:
                        form_of(kind));
         }
         const std::string text = text_of(words_, name, next_);
-        return folded(word.at, [&] { return step_collector(*steps_).value_of(kind, arguments, text, word.at); });
+        return folded(word.at, [&] { return step_collector(into_->steps).value_of(kind, arguments, text, word.at); });
     }
 
     // a - b of the condition a > b, b - a of a < b.
@@ -373,7 +391,7 @@ private:
     const known_names& names_;
     formula_role role_;
     conditions_at_times* values_;
-    std::vector<step_function>* steps_;
+    equation_system* into_;
     int depth_ = 0;
     std::optional<std::size_t> joined_at_;  // the index of the number, if the last factor was one before a name
 };
@@ -381,8 +399,8 @@ private:
 }  // namespace
 
 expression read_formula(const statement& words, std::size_t first, std::size_t last, const known_names& names,
-                        formula_role role, conditions_at_times* values, std::vector<step_function>* steps) {
-    return formula_parser(words, first, last, names, role, values, steps).read();
+                        formula_role role, conditions_at_times* values, equation_system* into) {
+    return formula_parser(words, first, last, names, role, values, into).read();
 }
 
 }  // namespace libration::ode

@@ -1,8 +1,7 @@
 // Parser of formulas in the tokens of a statement.
 #pragma once
 
-#include <string>
-#include <vector>
+#include <cstddef>
 
 #include "libration/ode/equation_system.hpp"
 #include "names.hpp"
@@ -15,10 +14,9 @@ namespace libration::ode {
 enum class formula_role { equation, value, point };
 
 /// The formula in the tokens first .. last - 1, at least one. With `values`, unknowns are at a constant time, y'(1),
-/// which is added to them and represented by its leaf. With `steps`, piecewise functions are supported, whose step
-/// functions are added to them. Throws error with the position and the remedy.
+/// which is added to them and represented by its leaf. With `into`, piecewise functions and delayed unknowns, x(t - 1),
+/// are supported, which are added to its step functions and delays. Throws error with the position and the remedy.
 expression read_formula(const statement& words, std::size_t first, std::size_t last, const known_names& names,
-                        formula_role role, conditions_at_times* values = nullptr,
-                        std::vector<step_function>* steps = nullptr);
+                        formula_role role, conditions_at_times* values = nullptr, equation_system* into = nullptr);
 
 }  // namespace libration::ode

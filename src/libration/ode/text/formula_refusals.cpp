@@ -157,6 +157,26 @@ void require_constant_time(const expression& time, const statement& words, std::
                " with the time, of numbers and parameters, instead of 1");
 }
 
+expression delay_of(const expression& argument, const statement& words, std::size_t name, std::size_t end,
+                    const known_names& names) {
+    const std::string written = text_of(words, name, name + 1);
+    const std::string form = written + "(" + names.variable + " - delay)";
+    const std::string product = corrected(words, name + 1, name + 1, "*") + " for a product";
+    const expression delay = variable() - argument;
+    const expression at_zero = replaced(delay, [](const expression& leaf) -> std::optional<expression> {
+        return leaf.kind() == node_kind::variable ? std::optional(expression()) : std::nullopt;
+    });
+    if (delay.has_unknowns() || !partial(argument, variable()).is(1)) {
+        refuse(text_of(words, name, end), words[name].at,
+               "has a delay that is not constant: write " + form + " with a number or parameters, or " + product);
+    }
+    if (const auto fraction = at_zero.fraction(); fraction && *fraction <= 0) {
+        refuse(text_of(words, name, end), words[name].at,
+               "is not at an earlier time: write " + form + " with a positive delay, or " + product);
+    }
+    return at_zero;
+}
+
 void refuse_name(const token& word, const known_names& names) {
     const std::string& name = word.text;
     if (name == "i") {

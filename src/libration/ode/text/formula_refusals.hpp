@@ -32,6 +32,10 @@ void require_time(const statement& words, std::size_t name, const known_names& n
 /// Throws error for y'(y + 1) in a condition, the name of this index up to the token `end`: a time that is not constant.
 void require_constant_time(const expression& time, const statement& words, std::size_t name, std::size_t end);
 
+/// d of y(t - d), the name at this index up to the token `end`, from its argument. Throws error for other arguments.
+expression delay_of(const expression& argument, const statement& words, std::size_t name, std::size_t end,
+                    const known_names& names);
+
 /// A name without a value.
 [[noreturn]] void refuse_name(const token& word, const known_names& names);
 

@@ -123,7 +123,8 @@ std::string inferred_variable(const std::vector<statement>& all) {
     for (const statement& words : all) {
         for (std::size_t i = 0; i < words.size(); ++i) {
             const auto unknown = is_name(words[i]) ? primes.find(words[i].text) : primes.end();
-            if (unknown == primes.end() || !has_name_behind(words, i) || primes.contains(words[i + 2].text) ||
+            const bool names_variable = has_name_behind(words, i) || (i == 0 && is_history(words));
+            if (unknown == primes.end() || !names_variable || primes.contains(words[i + 2].text) ||
                 !may_be_variable(all, words[i + 2].text)) {
                 continue;
             }
@@ -222,6 +223,12 @@ bool is_definition(const statement& words, const known_names& names) {
 
 bool has_variable_behind(const statement& words, std::size_t name, const std::string& variable) {
     return has_name_behind(words, name) && words[name + 2].text == variable;
+}
+
+bool is_history(const statement& words) {
+    return words.size() > 6 && is_name(words[0]) && !is_function_name(words[0].text) && is_symbol(words[1], '(') &&
+           words[1].touches && is_name(words[2]) && words[2].primes == 0 &&
+           (is_symbol(words[3], '<') || is_symbol(words[3], '>'));
 }
 
 bool is_start(const statement& words, const std::string& variable) {

@@ -58,6 +58,9 @@ bool is_definition(const statement& words, const known_names& names);
 /// name(...) = ..., an initial value; not y'(x) = ..., where x is the variable.
 bool is_start(const statement& words, const std::string& variable);
 
+/// name(t <= ...) = ..., a history, with any name for t; also with < instead of <=.
+bool is_history(const statement& words);
+
 /// Whether the tokens after the name of this index are the variable in parentheses: y'(x).
 bool has_variable_behind(const statement& words, std::size_t name, const std::string& variable);
 

@@ -73,7 +73,9 @@ public:
 
     void read_equality(const statement& words) {
         const std::size_t equals = equals_of(words);
-        if (is_start(words, names_.variable)) {
+        if (is_history(words)) {
+            read_history(words, equals);
+        } else if (is_start(words, names_.variable)) {
             read_start(words, equals);
         } else if (is_definition(words, names_)) {
             read_parameter(words);
@@ -110,7 +112,7 @@ private:
 
     // Of an equation.
     expression side(const statement& words, std::size_t first, std::size_t last) {
-        return read_formula(words, first, last, names_, formula_role::equation, nullptr, &result_.steps);
+        return read_formula(words, first, last, names_, formula_role::equation, nullptr, &result_);
     }
 
     expression constant(const statement& words, std::size_t first, std::size_t last, const std::string& what) const {
@@ -132,6 +134,27 @@ private:
         const expression point = constant(words, 2, equals - 1, "point");
         const expression value = constant(words, equals + 1, words.size(), "value");
         result_.starts.push_back({unknown(name.text, name.primes), point, value, name.at});
+    }
+
+    // x(t <= 0) = 1 + t
+    void read_history(const statement& words, std::size_t equals) {
+        const token& name = words[0];
+        const std::string form = name.text + "(" + names_.variable + " <= 0)";
+        if (words[2].text != names_.variable || !is_symbol(words[3], '<') || words[3].source == "<" ||
+            !is_symbol(words[equals - 1], ')') || name.primes > 0 || !names_.unknowns.contains(name.text)) {
+            refuse(whole(words), name.at,
+                   "is not the history of an unknown: write " + form + " = 1 for an unknown with an equation");
+        }
+        const expression point = constant(words, 4, equals - 1, "point");
+        const expression value = formula(words, equals + 1, words.size());
+        if (value.has_unknowns()) {
+            refuse(whole(words), name.at,
+                   "has an unknown on its right-hand side: write it in the variable and parameters");
+        }
+        if (std::ranges::find(result_.histories, name.text, &history::unknown) != result_.histories.end()) {
+            refuse(whole(words), name.at, "gives " + name.text + " a second history: give it only one");
+        }
+        result_.histories.push_back({name.text, point, value, name.at});
     }
 
     void read_parameter(const statement& words) {
@@ -247,6 +270,13 @@ equation_system changed(equation_system system, std::string_view text) {
         if (shorthands_of(system).contains(each.name)) {
             refuse(each.name, each.at, "has a value that is not constant: give a number or parameters");
         }
+    }
+    for (const history& each : more.histories) {
+        const auto found = std::ranges::find(system.histories, each.unknown, &history::unknown);
+        if (found == system.histories.end()) {
+            refuse(each.unknown, each.at, "has no history in this problem: choose an unknown that has one");
+        }
+        *found = each;
     }
     for (const start& each : more.starts) {
         const auto found =

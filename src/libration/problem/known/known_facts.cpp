@@ -76,7 +76,7 @@ const known_facts* known_facts_of(const std::string& problem) {
 }
 
 const known_facts* known_facts_of(const ode::equation_system& system) {
-    if (!system.is_smooth()) {
+    if (!system.is_ordinary()) {
         return nullptr;
     }
     const auto found = std::ranges::find_if(

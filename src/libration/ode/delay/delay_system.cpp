@@ -1,0 +1,218 @@
+#include "libration/ode/delay/delay_system.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "libration/scalar/error.hpp"
+
+namespace libration::ode {
+
+namespace {
+
+// The value of an expression in the variable at a point.
+number value_at(const expression& e, const number& point, const history& of) {
+    try {
+        return replaced(e, [&](const expression&) { return std::optional(expression(point)); }).constant();
+    } catch (const error& problem) {
+        refuse(of.unknown, of.at,
+               "has a history that has no value at the initial point, because a number in it " + problem.reason() +
+                   ": choose another");
+    }
+}
+
+std::string slope_name(const delayed_value& of) { return "slope of " + of.parameter; }
+
+std::size_t place_in(const std::vector<std::string>& names, const std::string& name) {
+    return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+}
+
+// All leaves with numbers for the parameters that are not delayed values.
+parameter_values parameters_of(const equation_system& given) {
+    std::map<std::string, expression> open;
+    for (const delayed_value& each : given.delays) {
+        open.emplace(each.parameter, parameter(each.parameter));
+    }
+    return parameter_values(given, std::move(open));
+}
+
+}  // namespace
+
+delay_system::delay_system(const equation_system& given) : given_(given) {
+    if (given.delays.empty()) {
+        const history& first = given.histories.front();
+        refuse(first.unknown, first.at,
+               "has a history and is not delayed: write its initial value, as " + first.unknown + "(0) = 1");
+    }
+    given_.invariants.clear();
+    given_.exact.clear();
+    parameter_values parameters = parameters_of(given);
+    for (equation& each : given_.equations) {
+        each.left = parameters.in(each.left);
+        each.right = parameters.in(each.right);
+    }
+    for (start& each : given_.starts) {
+        each.point = parameters.in(each.point);
+        each.value = parameters.in(each.value);
+    }
+    read_histories(parameters);
+    read_delays(parameters);
+    given_.parameters.clear();
+    read_starts();
+}
+
+// Their values at the initial point are the initial values.
+void delay_system::read_histories(parameter_values& parameters) {
+    for (history& each : given_.histories) {
+        each.point = expression(parameters.number_of(each.point));
+        each.value = parameters.in(each.value);
+        if (each.value.has_unknowns()) {
+            refuse(each.unknown, each.at, "has a history that contains an unknown: write it in the variable");
+        }
+        const auto own = std::ranges::find(given_.starts, each.unknown, [](const start& s) { return s.of.name(); });
+        if (own != given_.starts.end()) {
+            refuse(each.unknown, own->at, "has a history, which contains the initial value: leave one of them out");
+        }
+    }
+    for (const history& each : given_.histories) {
+        expression value = each.value;
+        for (int j = 0; j < given_.order_of(each.unknown); ++j) {
+            const number start_value = value_at(value, each.point.constant(), each);
+            given_.starts.push_back({unknown(each.unknown, j), each.point, expression(start_value), each.at});
+            value = partial(value, ode::variable());
+        }
+    }
+}
+
+void delay_system::read_delays(parameter_values& parameters) {
+    std::vector<number> all;
+    for (const delayed_value& each : given_.delays) {
+        const std::string name = primed(each.of.name(), each.of.derivative());
+        const int order = given_.order_of(each.of.name());
+        if (each.of.derivative() >= std::max(order, 1)) {
+            refuse(name, each.at,
+                   "is a delayed highest derivative, of a neutral equation, which is not supported: delay lower "
+                   "derivatives only");
+        }
+        if (history_of(each.of.name()) == nullptr) {
+            const std::string form = each.of.name() + "(" + given_.variable + " <= 0)";
+            refuse(name, each.at, "is delayed and has no history: add " + form + " = number");
+        }
+        all.push_back(parameters.number_of(each.delay));
+        if (all.back().sign() <= 0) {
+            refuse(name, each.at, "has a delay that is not positive: choose a positive one");
+        }
+    }
+    delays_ = all;
+    std::ranges::sort(delays_, [](const number& a, const number& b) { return (a - b).sign() < 0; });
+    const auto same =
+        std::ranges::unique(delays_, [](const number& a, const number& b) { return (a - b).sign() == 0; });
+    delays_.erase(same.begin(), same.end());
+    for (const number& each : all) {
+        const auto found = std::ranges::find_if(delays_, [&](const number& d) { return (d - each).sign() == 0; });
+        delayed_.push_back({0, static_cast<std::size_t>(found - delays_.begin())});
+    }
+}
+
+void delay_system::read_starts() {
+    const explicit_system first(equations(0));
+    if (!first.algebraic().empty()) {
+        refuse("", {}, "has an algebraic equation, which is not supported with delays: solve it for an unknown");
+    }
+    if (first.singular()) {
+        refuse("", {},
+               "has a singular initial point, which is not supported with delays: choose another initial point");
+    }
+    point_ = first.point();
+    for (std::size_t i = 0; i < first.unknowns().size(); ++i) {
+        for (int j = 0; j < first.unknowns()[i].order; ++j) {
+            leaves_.push_back(unknown(first.unknowns()[i].name, j));
+            starts_.push_back(first.starts()[i][static_cast<std::size_t>(j)]);
+        }
+    }
+    for (std::size_t i = 0; i < delayed_.size(); ++i) {
+        const auto leaf =
+            std::ranges::find_if(leaves_, [&](const expression& each) { return same_form(each, given_.delays[i].of); });
+        delayed_[i].leaf = static_cast<std::size_t>(leaf - leaves_.begin());
+    }
+}
+
+const history* delay_system::history_of(const std::string& unknown) const {
+    const auto found = std::ranges::find(given_.histories, unknown, &history::unknown);
+    return found == given_.histories.end() ? nullptr : &*found;
+}
+
+// The delayed value of this index as long as it is that of the history.
+expression delay_system::of_history(std::size_t delayed) const {
+    const expression& of = given_.delays[delayed].of;
+    expression value = history_of(of.name())->value;
+    for (int j = 0; j < of.derivative(); ++j) {
+        value = partial(value, ode::variable());
+    }
+    const expression earlier = ode::variable() - expression(delays_[delayed_[delayed].delay]);
+    return replaced(value, [&](const expression&) { return std::optional(earlier); });
+}
+
+// With the starts of the given system.
+equation_system delay_system::equations(std::size_t passed) const {
+    equation_system result = given_;
+    result.delays.clear();
+    result.histories.clear();
+    std::map<std::string, expression> values;
+    for (std::size_t i = 0; i < delayed_.size(); ++i) {
+        const std::string& name = given_.delays[i].parameter;
+        values.emplace(name, delayed_[i].delay < passed ? unknown(name) : of_history(i));
+    }
+    const auto with_delayed = [&](const expression& e) {
+        return replaced(e, [&](const expression& leaf) {
+            return leaf.kind() == node_kind::parameter ? std::optional(values.at(leaf.name())) : std::nullopt;
+        });
+    };
+    for (equation& each : result.equations) {
+        each.left = with_delayed(each.left);
+        each.right = with_delayed(each.right);
+    }
+    return result;
+}
+
+delay_stage delay_system::stage(std::size_t passed, const number& point, const std::vector<number>& leaves,
+                                const std::vector<number>& inputs) const {
+    equation_system smooth = equations(passed);
+    smooth.starts.clear();
+    for (std::size_t k = 0; k < leaves_.size(); ++k) {
+        smooth.begin(leaves_[k], expression(leaves[k]), expression(point));
+    }
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < delayed_.size(); ++i) {
+        if (delayed_[i].delay < passed) {
+            const expression value = unknown(given_.delays[i].parameter);
+            const expression slope = unknown(slope_name(given_.delays[i]));
+            smooth.add(derivative(value), slope).add(derivative(slope));
+            smooth.begin(value, expression(inputs[next]), expression(point));
+            smooth.begin(slope, expression(inputs[next + 1]), expression(point));
+            next += 2;
+        }
+    }
+    delay_stage result{explicit_system(smooth), {}, {}};
+    const auto names = names_of_state(result.system);
+    for (const expression& each : leaves_) {
+        result.leaves.push_back(place_in(names, primed(each.name(), each.derivative())));
+    }
+    for (std::size_t i = 0; i < delayed_.size(); ++i) {
+        if (delayed_[i].delay < passed) {
+            result.inputs.push_back({delayed_[i], place_in(names, given_.delays[i].parameter),
+                                     place_in(names, slope_name(given_.delays[i]))});
+        }
+    }
+    return result;
+}
+
+std::vector<std::string> names_of_state(const delay_system& system) {
+    std::vector<std::string> names;
+    for (const expression& each : system.leaves()) {
+        names.push_back(primed(each.name(), each.derivative()));
+    }
+    return names;
+}
+
+}  // namespace libration::ode
