@@ -34,6 +34,7 @@ SINGULAR = "ode/proved/singular_step_test.cpp"
 ROUTES = "ode/proved/proof_route_test.cpp"
 SYSTEMS = "ode/singularity/systems_test.cpp"
 EVENTS = "ode/proved/proved_events_test.cpp"
+DELAYS = "ode/delay/delay_trajectory_test.cpp"
 INTEGERS = "scalar/ball/integer_product_test.cpp"
 SEQUENCES = "scalar/ball/polynomial_test.cpp"
 BALL_SOURCES = "src/libration/scalar/ball/"
@@ -559,6 +560,27 @@ FAULTS = [
         ("a box that does not contain its image", "return i < r; })) {", "return i < r || true; })) {"),
         ("a coupling of modes", "growth += norm_of(sizes_in_basis", "growth -= norm_of(sizes_in_basis"),
         ("the neighborhood of the zero alone", "box[i] = widened(zero[i], reach);", "box[i] = zero[i];"),
+    ),
+    *in_file(
+        "src/libration/ode/delay/proved/delay_march.hpp", [DELAYS],
+        ("the bound of a delayed value forgotten",
+         "given[each.value] = with_error(series[0], views_.back().error(each.of.leaf, R(0)).value);",
+         "given[each.value] = series[0];"),
+        ("the bound of its slope forgotten", "views_[i].error(stage.inputs[i].of.leaf, length).slope}", "magnitude()}"),
+        ("the bound of a step forgotten", "with_error(value_of(made.series[k], made.length), made.error[k]);",
+         "value_of(made.series[k], made.length);"),
+    ),
+    *in_file(
+        "src/libration/ode/delay/proved/delay_pieces.hpp", [DELAYS],
+        ("the delayed value of the piece before", "while ((earlier - points_[from.piece + 1]).sign() >= 0) {",
+         "while ((earlier - points_[from.piece + 1]).sign() > 0) {"),
+        sources=("src/libration/ode/delay/proved/delay_trajectory.cpp",),
+    ),
+    *in_file(
+        "src/libration/ode/delay/proved/delayed_view.hpp", [DELAYS],
+        ("the polynomial about the beginning of its step", ": shifted(step().series[leaf], shift_);",
+         ": step().series[leaf];"),
+        sources=("src/libration/ode/delay/proved/delay_trajectory.cpp",),
     ),
     *in_file(
         "src/libration/ode/hybrid/proved/states_around.cpp", ["ode/hybrid/states_around_test.cpp"],

@@ -81,7 +81,8 @@ std::map<std::string, rooms> order_of_rooms() {
                        "ode/proved/equilibrium",
                        "ode/hybrid",
                        "ode/hybrid/proved",
-                       "ode/delay"},
+                       "ode/delay",
+                       "ode/delay/proved"},
         numerical = arc + rooms{"pendulum/numerical"},
         pendulum = numerical + proofs +
                    rooms{"pendulum", "pendulum/proved", "pendulum/sampler", "pendulum/error", "pendulum/error/proved"},
@@ -133,6 +134,7 @@ std::map<std::string, rooms> order_of_rooms() {
              rooms{"ode/ball", "ode/rigorous/matrix", "ode/rigorous", "ode/rigorous/coordinates", "ode/singularity"}},
         {"ode/hybrid", ode},
         {"ode/delay", ode},
+        {"ode/delay/proved", ode + balls + rooms{"ode/ball", "ode/rigorous", "ode/proved", "ode/delay"}},
         {"ode/hybrid/proved", ode + balls + rooms{"ode/ball", "ode/rigorous", "ode/proved", "ode/hybrid"}},
         {"ode/proved/equilibrium",
          ode + balls + rooms{"ode/ball", "ode/rigorous/matrix", "ode/rigorous", "ode/proved"}},

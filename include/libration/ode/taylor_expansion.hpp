@@ -19,6 +19,13 @@ namespace libration::ode {
 template <field R>
 using solution_state = std::vector<std::vector<R>>;
 
+/// Coefficients 0 .. N of an unknown of first order that are known from elsewhere, in place of those by its equation.
+template <field R>
+struct known_series {
+    int unknown = 0;
+    std::vector<R> coefficients;
+};
+
 /// The series about one point: coefficient n of each step of the tape from the lower ones, by the kernels of series/,
 /// and y^(j)_{n+1} = y^(j+1)_n/(n + 1). Exact over fractions, an enclosure of each coefficient on balls, otherwise
 /// rounded as the kernels do. O(N^2) products for each step that is a product or a function, O(N) for the others; a
@@ -35,8 +42,9 @@ public:
     /// Expands about the initial point of the system. The tape must be made by tape::about_start, or by
     /// tape::about_points if that is the same. Throws error if a function or an initial value is not available in R.
     void about_start();
-    /// Expands about another point, which may be complex, from the state there. Not for a singular tape.
-    void about(const R& point, const solution_state<R>& state);
+    /// Expands about another point, which may be complex, from the state there. Not for a singular tape. The values of
+    /// known unknowns in the state are not used.
+    void about(const R& point, const solution_state<R>& state, const std::vector<known_series<R>>& known = {});
 
     int order() const { return order_; }
     /// Coefficient n = 0 .. N of (t - t0)^(n/root), all zero before the first call of about.
@@ -63,8 +71,9 @@ private:
     R* array(int step) { return arrays_.array(step); }
     const R* array(int step) const { return arrays_.array(step); }
 
-    void run_placed(int steps_until) requires std::floating_point<R>;
-    void run();
+    void run_placed(int steps_until, const std::vector<known_series<R>>& known) requires std::floating_point<R>;
+    void run(const std::vector<known_series<R>>& known = {});
+    void set_known(int n, const std::vector<known_series<R>>& known);
     void run_singular();
     void set_newest(int unknown, int n, const R& value);
     R solved(int unknown, int n) const;
@@ -113,25 +122,34 @@ void taylor_expansion<R>::about_start() {
 }
 
 template <field R>
-void taylor_expansion<R>::about(const R& point, const solution_state<R>& state) {
+void taylor_expansion<R>::about(const R& point, const solution_state<R>& state,
+                                const std::vector<known_series<R>>& known) {
     arrays_.begin_at(point);
     for (std::size_t i = 0; i < states_.size(); ++i) {
         for (std::size_t j = 0; j < states_[i].size(); ++j) {
             array(states_[i][j])[0] = state[i][j];
         }
     }
-    run();
+    set_known(0, known);
+    run(known);
 }
 
 template <field R>
-void taylor_expansion<R>::run() {
+void taylor_expansion<R>::set_known(int n, const std::vector<known_series<R>>& known) {
+    for (const known_series<R>& each : known) {
+        array(states_[static_cast<std::size_t>(each.unknown)][0])[n] = each.coefficients[static_cast<std::size_t>(n)];
+    }
+}
+
+template <field R>
+void taylor_expansion<R>::run(const std::vector<known_series<R>>& known) {
     int lowest = static_cast<int>(arrays_.length());
     for (const int q : tape_->orders()) {
         lowest = std::min(lowest, q);
     }
     if constexpr (std::is_floating_point_v<R>) {
         if (!arrays_.about_start()) {
-            run_placed(order_ - lowest);
+            run_placed(order_ - lowest, known);
             return;
         }
     }
@@ -150,11 +168,13 @@ void taylor_expansion<R>::run() {
                 above = here;
             }
         }
+        set_known(n + 1, known);
     }
 }
 
 template <field R>
-void taylor_expansion<R>::run_placed(int steps_until) requires std::floating_point<R> {
+void taylor_expansion<R>::run_placed(int steps_until,
+                                     const std::vector<known_series<R>>& known) requires std::floating_point<R> {
     if (placed_.empty()) {
         placed_ = placed_steps<R>(*tape_, arrays_.array(0), arrays_.length(), arrays_.constants(), states_);
     }
@@ -163,6 +183,7 @@ void taylor_expansion<R>::run_placed(int steps_until) requires std::floating_poi
             placed_.run(n, [&](int index) { arrays_.compute(index, n); });
         }
         placed_.advance(n);
+        set_known(n + 1, known);
     }
 }
 

@@ -231,8 +231,11 @@ event_searcher searcher_of(const ode::equation_system& equations, const ode::exp
 
 // Throws for what is written of the steps of a smooth system alone.
 void require_certifiable(const reference_options& options, const problem_options& problem) {
-    if (!problem.equations().is_smooth()) {
-        const char* const reason = "is not supported for a problem with events or a piecewise right-hand side";
+    const ode::equation_system equations = problem.equations();
+    if (!equations.is_ordinary()) {
+        const char* const reason = equations.has_delays()
+                                       ? "is not supported for a problem with delays"
+                                       : "is not supported for a problem with events or a piecewise right-hand side";
         require_no_certificate(options, reason);
         require_no_times(options, reason);
     }
@@ -245,6 +248,10 @@ int write_events(const reference_options& options, long digits) {
     if (options.times) {
         throw input_error("--times", *options.times, "is given together with --until, which finds the times",
                           "leave one out");
+    }
+    if (options.problem.equations().has_delays()) {
+        throw input_error("--until", options.events.condition(), "is not supported for a problem with delays",
+                          "give --times instead");
     }
     const auto system = options.problem.choose_first_branch();
     const auto search = searcher_of(options.problem.equations(), system);

@@ -39,7 +39,28 @@ template <field R>
 std::optional<tail_bound> bounded_tail(const tape& of, const taylor_expansion<R>& expansion, const R& point,
                                        const magnitude& radius);
 
-/// Theorem S, the same about a regular singular initial point, in powers of the distance t itself: a tape of root 1,
+/// On 0 <= s <= length |y_i(s) - p_i(s)| <= error[i] and |y_i'(s) - p_i'(s)| <= slope_error[i].
+struct remainder_bound {
+    std::vector<magnitude> error, slope_error;
+};
+
+/// The bounds of y - p and y' - p' of a known unknown.
+struct known_remainder {
+    int unknown = 0;
+    magnitude error;
+};
+
+/// Theorem D: as theorem T, on a real interval, for a system in which some functions are known (known_series) as
+/// polynomials of degree N - 1 plus continuous functions of at most known.error [THEOREMS: Schauder's theorem in the
+/// norm max |a(s)|]. If, with norms for rho = length, for some s >= 0 and all other i
+///     length/(N+1) ||f_i(p), degrees >= N|| + length G_i(s) <= s_i,
+/// G_i(s) a bound of |f_i(p + e) - f_i(p)| for |e_j| <= s_j, |e_j| <= error for known j, then |y_i - p_i| <= s_i for
+/// 0 <= s <= length, and |y_i' - p_i'| <= ||f_i(p), degrees >= N|| + G_i(s). Returns std::nullopt if no s was found.
+std::optional<remainder_bound> bounded_remainder(const tape& of, const taylor_expansion<ball>& expansion,
+                                                 const ball& point, const magnitude& length,
+                                                 const std::vector<known_remainder>& known);
+
+/// Theorem S, the same as theorem T about a regular singular initial point, in powers of the distance t itself: a tape of root 1,
 /// made by tape::about_start, of products, squares and linear operations, in unknowns and first derivatives; N =
 /// degree; the expansion must be longer by the maximum lag of the steps of the tape.
 ///

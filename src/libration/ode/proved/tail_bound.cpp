@@ -168,21 +168,29 @@ private:
 };
 
 // s with defects_i ||f_i(p), degrees >= N|| + gains_i G_i(s) <= s_i for all i, or its image under the map, which is not
-// larger; G by of_state(s, state).
+// larger; G by of_state(s, state). The s_i of known unknowns are given.
 template <field R, class OfState>
 std::optional<std::vector<magnitude>> kept_by_map(const tape& of, const norms_of_steps<R>& norms,
                                                   const magnitude& of_defect, const magnitude& gain,
-                                                  const OfState& of_state) {
+                                                  const OfState& of_state,
+                                                  const std::vector<known_remainder>& known = {}) {
     std::vector<magnitude> defect;
     for (const int output : of.outputs()) {
         defect.push_back(norms.rest(output) * of_defect);
     }
+    const auto set_known = [&](std::vector<magnitude>& s) {
+        for (const known_remainder& each : known) {
+            s[static_cast<std::size_t>(each.unknown)] = each.error;
+        }
+    };
+    set_known(defect);
     const auto image = [&](const std::vector<magnitude>& s) {
         std::vector<magnitude> result = defect;
         const auto changes = norms.changes([&](const tape_step& state) { return of_state(s, state); });
         for (std::size_t i = 0; i < result.size(); ++i) {
             result[i] += changes[static_cast<std::size_t>(of.outputs()[i])] * gain;
         }
+        set_known(result);
         return result;
     };
     std::vector<magnitude> s = defect;
@@ -198,6 +206,7 @@ std::optional<std::vector<magnitude>> kept_by_map(const tape& of, const norms_of
         for (std::size_t i = 0; i < s.size(); ++i) {
             s[i] = next[i] * inflation;
         }
+        set_known(s);
     }
     return std::nullopt;
 }
@@ -215,6 +224,27 @@ std::optional<tail_bound> bounded_tail(const tape& of, const taylor_expansion<R>
                              return errors[static_cast<std::size_t>(state.left)];
                          });
     return s ? std::optional(tail_bound{radius, degree, *std::move(s)}) : std::nullopt;
+}
+
+std::optional<remainder_bound> bounded_remainder(const tape& of, const taylor_expansion<ball>& expansion,
+                                                 const ball& point, const magnitude& length,
+                                                 const std::vector<known_remainder>& known) {
+    const int degree = expansion.order();
+    const norms_of_steps<ball> norms(of, expansion, degree, point, length);
+    const auto part_of = [](const std::vector<magnitude>& errors, const tape_step& state) {
+        return errors[static_cast<std::size_t>(state.left)];
+    };
+    auto s = kept_by_map(of, norms, length / (static_cast<unsigned long>(degree) + 1), length, part_of, known);
+    if (!s) {
+        return std::nullopt;
+    }
+    const auto changes = norms.changes([&](const tape_step& state) { return part_of(*s, state); });
+    remainder_bound result;
+    for (const int output : of.outputs()) {
+        result.slope_error.push_back(norms.rest(output) + changes[static_cast<std::size_t>(output)]);
+    }
+    result.error = *std::move(s);
+    return result;
 }
 
 namespace {

@@ -6,42 +6,19 @@
 
 #include "libration/digits/proved/printed_values.hpp"
 #include "libration/digits/proved/two_proofs.hpp"
-#include "libration/ode/constant_value.hpp"
 #include "libration/ode/hybrid/proved/first_steps.hpp"
 #include "libration/ode/hybrid/proved/hybrid_trajectory.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/ode/trajectory.hpp"
 #include "libration/problem/proved_answer.hpp"
-#include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/text/decimal.hpp"
+#include "progress_of_times.hpp"
 
 namespace libration {
 
 namespace {
 
 constexpr const char* unsupported = "is not supported for a problem with events or a piecewise right-hand side";
-
-// The distance that has been integrated, as a part of that to the last time.
-ode::march_watch watch_of(const ode::hybrid_system& system, const std::vector<ode::number>& times, const request& how) {
-    if (!how.progress && !how.reached) {
-        return {};
-    }
-    const precision_scope few(digits_beyond_result);
-    const double origin = ode::constant_value<mpfr>::of(system.point()).convert_to<double>();
-    double whole = 0;
-    for (const ode::number& each : times) {
-        whole = std::max(whole, ode::constant_value<mpfr>::of(each).convert_to<double>() - origin);
-    }
-    return [&how, origin, whole](const ball& reached, long bits) {
-        const double time = midpoint_of(reached).convert_to<double>();
-        if (how.reached) {
-            how.reached(time, bits);
-        }
-        if (how.progress && whole > 0) {
-            how.progress(std::clamp((time - origin) / whole, 0.0, 1.0));
-        }
-    };
-}
 
 // The states on one branch, each value in the arithmetic in which it is printed.
 template <class T>
@@ -94,7 +71,7 @@ answer hybrid_solution::proved_states(const std::vector<ode::number>& times, con
     const long digits = how.printed_digits();
     ode::proof_route route;
     route.integrator = how.integrator;
-    const auto found = ode::proved_part_of_hybrid(system_, times, digits, watch_of(system_, times, how), route);
+    const auto found = ode::proved_part_of_hybrid(system_, times, digits, watch_of(system_.point(), times, how), route);
     if (how.check) {
         ode::proof_route second = ode::proof_route::second();
         second.integrator = how.integrator;

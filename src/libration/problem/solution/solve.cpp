@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "delay_solution.hpp"
 #include "hybrid_solution.hpp"
 #include "libration/problem/axis.hpp"
 #include "libration/problem/known_facts.hpp"
@@ -69,6 +70,9 @@ answer solution::radius(const std::string& about, const request& how) const {
 }
 
 std::unique_ptr<solution> solve(const problem& given, const settings& by) {
+    if (given.equations().has_delays()) {
+        return std::make_unique<delay_solution>(given.equations());
+    }
     if (!given.equations().is_smooth()) {
         return std::make_unique<hybrid_solution>(given.equations());
     }

@@ -1,0 +1,119 @@
+#include "delay_solution.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "libration/digits/proved/printed_values.hpp"
+#include "libration/digits/proved/two_proofs.hpp"
+#include "libration/ode/delay/proved/delay_trajectory.hpp"
+#include "libration/problem/proved_answer.hpp"
+#include "libration/scalar/text/decimal.hpp"
+#include "progress_of_times.hpp"
+
+namespace libration {
+
+namespace {
+
+constexpr const char* not_with_delays = "is not supported for a problem with delays";
+
+// For what the solution does not answer.
+[[noreturn]] void refuse_question() {
+    throw error(error_kind::argument, "problem", "",
+                "has delays, for which only values at times are supported: use reference or trajectory");
+}
+
+void require_supported(const request& how) {
+    if (!how.derivatives.empty()) {
+        throw error(error_kind::argument, "derivatives", how.derivatives.front(),
+                    std::string(not_with_delays) + ": leave it out");
+    }
+    if (how.integrator == ode::integrator_choice::collocation) {
+        throw error(error_kind::argument, "integrator", "collocation",
+                    std::string(not_with_delays) + ": use automatic or taylor");
+    }
+    if (how.observer) {
+        throw error(error_kind::argument, "observer", "of steps", std::string(not_with_delays) + ": leave it out");
+    }
+}
+
+}  // namespace
+
+delay_solution::delay_solution(const ode::equation_system& equations)
+    : solution(ode::names_of_state(ode::delay_system(equations))), system_(equations) {}
+
+answer delay_solution::states(const std::vector<exact>& times, const request& how) const {
+    require_supported(how);
+    std::vector<ode::number> at;
+    std::ranges::transform(times, std::back_inserter(at), time_of_problem);
+    const bool proves = how.scalar.kind == scalar_kind::proved || how.scalar.kind == scalar_kind::arbitrary;
+    return proves ? proved_states(at, how) : rounded_states(at, how);
+}
+
+answer delay_solution::proved_states(const std::vector<ode::number>& times, const request& how) const {
+    const auto checked = checked_products(how.check);
+    const long digits = how.printed_digits();
+    const auto found = ode::proved_part_of_delay(system_, times, digits, watch_of(system_.point(), times, how));
+    if (how.check) {
+        const auto other = ode::proved_part_of_delay(system_, times, digits + ode::more_digits_of_second_proof);
+        for (std::size_t i = 0; i < times.size(); ++i) {
+            for (std::size_t k = 0; k < std::min(found.states[i].size(), other.states[i].size()); ++k) {
+                const auto& a = found.states[i][k].decimal;
+                const auto& b = other.states[i][k].decimal;
+                if (a && b) {
+                    require_agreement(*a, *b, quantities()[k]);
+                }
+            }
+        }
+    }
+    return answer_of(quantities(), found);
+}
+
+answer delay_solution::rounded_states(const std::vector<ode::number>& times, const request& how) const {
+    answer result{.names = quantities(), .rows = {}, .rigour = "heuristic"};
+    result.rows.resize(times.size());
+    const precision_scope wide(how.scalar.digits + digits_beyond_result);
+    with_scalar(how.scalar, 0, [&]<class T>() {
+        auto part = ode::part_of_delay<T>(system_, times, watch_of(system_.point(), times, how));
+        for (std::size_t i = 0; i < times.size(); ++i) {
+            for (const T& value : part.states[i].front()) {
+                result.rows[i].push_back({to_decimal(widen(value), how.printed_digits()), ""});
+            }
+        }
+        result.missing = std::move(part.missing);
+    });
+    return result;
+}
+
+answer delay_solution::states_along(const complex_path_request& /*along*/, const request& /*how*/) const {
+    throw error(error_kind::argument, "point", "of the complex plane",
+                std::string(not_with_delays) + ": use real times");
+}
+
+answer delay_solution::limits(const request& /*how*/) const {
+    throw error(error_kind::argument, "time", "inf", std::string(not_with_delays) + ": choose finite times");
+}
+
+answer delay_solution::events(const std::string& condition, long /*count*/, const request& /*how*/) const {
+    throw error(error_kind::argument, "condition", condition, std::string(not_with_delays) + ": choose times");
+}
+
+void delay_solution::require_point(const std::string& about) const {
+    if (!about.empty()) {
+        throw error(error_kind::argument, "point", about, std::string(not_with_delays) + ": leave it out");
+    }
+}
+
+answer delay_solution::series(const series_request& /*of*/, const request& /*how*/) const { refuse_question(); }
+
+std::vector<unknown_series> delay_solution::coefficient_lists(const series_request& /*of*/,
+                                                              const scalar_spec& /*scalar*/) const {
+    refuse_question();
+}
+
+answer delay_solution::singularities(const std::optional<double>& /*within*/, const request& /*how*/) const {
+    refuse_question();
+}
+
+answer delay_solution::proved_radius(const series_request& /*of*/, const request& /*how*/) const { refuse_question(); }
+
+}  // namespace libration
