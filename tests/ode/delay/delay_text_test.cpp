@@ -68,7 +68,9 @@ TEST_CASE("the initial values are those of the history", "[ode][delay]") {
     CHECK(first.inputs.empty());
     const delay_stage last = system.stage(2, number(rational(2)), system.starts(), std::vector<number>(4));
     CHECK(last.inputs.size() == 2);
-    CHECK(last.system.unknowns().size() == 6);
+    REQUIRE(last.system.unknowns().size() == 7);
+    CHECK(last.system.unknowns()[1].name == "x'");
+    CHECK(last.inputs[1].slope == 6);
 }
 
 TEST_CASE("problems in C++ have delays too", "[ode][delay]") {

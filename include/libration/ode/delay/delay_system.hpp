@@ -15,8 +15,8 @@ struct delayed_leaf {
     std::size_t delay = 0;
 };
 
-/// A delayed value of the solution in a stage. In the state of its system, all of first order, `value` is the index of
-/// v(t) = x(t - delay), with the equation v' = w, and `slope` that of w, with w' = 0 instead of its true equation.
+/// A delayed value of the solution in a stage: in its system, `value` is the index of v(t) = x(t - delay), with the
+/// equation v' = w, and `slope` that of w, with w' = 0 instead of its true equation.
 struct delayed_input {
     delayed_leaf of;
     std::size_t value = 0;
@@ -24,10 +24,10 @@ struct delayed_input {
 };
 
 /// The equations while some of the delayed values are those of the history, and the others, the inputs, those of the
-/// solution. The state consists of the leaves of the given unknowns, and the inputs.
+/// solution. The system is of first order, without initial values; its unknowns are the leaves of the given system and
+/// then value and slope of each input.
 struct delay_stage {
     explicit_system system;
-    std::vector<std::size_t> leaves;  ///< the index in the state of each leaf
     std::vector<delayed_input> inputs;
 };
 

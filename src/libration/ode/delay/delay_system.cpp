@@ -23,8 +23,24 @@ number value_at(const expression& e, const number& point, const history& of) {
 
 std::string slope_name(const delayed_value& of) { return "slope of " + of.parameter; }
 
-std::size_t place_in(const std::vector<std::string>& names, const std::string& name) {
-    return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+// The derivative of a leaf of a system by its name, x or x', in leaves of these names.
+expression derivative_of_leaf(const std::string& name, const explicit_system& system) {
+    for (std::size_t i = 0; i < system.unknowns().size(); ++i) {
+        const unknown_function& each = system.unknowns()[i];
+        for (int j = 0; j + 1 < each.order; ++j) {
+            if (primed(each.name, j) == name) {
+                return unknown(primed(each.name, j + 1));
+            }
+        }
+        if (primed(each.name, each.order - 1) == name) {
+            return replaced(system.right()[i], [](const expression& leaf) {
+                return leaf.kind() == node_kind::unknown
+                           ? std::optional(unknown(primed(leaf.name(), leaf.derivative())))
+                           : std::nullopt;
+            });
+        }
+    }
+    return {};
 }
 
 // All leaves with numbers for the parameters that are not delayed values.
@@ -193,18 +209,24 @@ delay_stage delay_system::stage(std::size_t passed, const number& point, const s
             next += 2;
         }
     }
-    delay_stage result{explicit_system(smooth), {}, {}};
-    const auto names = names_of_state(result.system);
-    for (const expression& each : leaves_) {
-        result.leaves.push_back(place_in(names, primed(each.name(), each.derivative())));
+    const explicit_system solved(smooth);
+    std::vector<expression> unknowns;
+    for (const std::string& name : names_of_state(*this)) {
+        unknowns.push_back(unknown(name));
     }
+    std::vector<delayed_input> of_stage;
     for (std::size_t i = 0; i < delayed_.size(); ++i) {
         if (delayed_[i].delay < passed) {
-            result.inputs.push_back({delayed_[i], place_in(names, given_.delays[i].parameter),
-                                     place_in(names, slope_name(given_.delays[i]))});
+            of_stage.push_back({delayed_[i], unknowns.size(), unknowns.size() + 1});
+            unknowns.push_back(unknown(given_.delays[i].parameter));
+            unknowns.push_back(unknown(slope_name(given_.delays[i])));
         }
     }
-    return result;
+    std::vector<expression> right;
+    for (const expression& each : unknowns) {
+        right.push_back(derivative_of_leaf(each.name(), solved));
+    }
+    return {explicit_system::first_order(unknowns, std::move(right), point), std::move(of_stage)};
 }
 
 std::vector<std::string> names_of_state(const delay_system& system) {

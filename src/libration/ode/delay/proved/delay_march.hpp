@@ -9,11 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "../../proved/set_values.hpp"
+#include "delay_errors.hpp"
 #include "delay_pieces.hpp"
 #include "libration/ode/delay/delay_system.hpp"
 #include "libration/ode/proved/proved_march.hpp"
-#include "libration/ode/step.hpp"
 #include "libration/scalar/ball/failure.hpp"
 
 namespace libration::ode {
@@ -32,6 +31,7 @@ public:
         for (const number& each : system.starts()) {
             state_.push_back(constant_value<R>::of(each));
         }
+        errors_.begin(state_);
         begin_piece();
     }
 
@@ -64,19 +64,7 @@ public:
     long steps() const { return steps_; }
 
 private:
-    // The equations of a stage in polynomial form, and their series.
-    struct stage_series {
-        explicit stage_series(delay_stage made, int order)
-            : stage(std::move(made)),
-              form(lifted(stage.system)),
-              steps(tape::about_points(form.system)),
-              expansion(steps, order) {}
-
-        delay_stage stage;
-        lifted_system form;
-        tape steps;
-        taylor_expansion<R> expansion;
-    };
+    using state_errors = std::conditional_t<std::same_as<R, ball>, proved_errors, rounding_errors<R>>;
 
     // The end of a step: the distance from the beginning of the piece.
     struct step_end {
@@ -91,7 +79,8 @@ private:
         complete_ = false;
         if (!stage_ || pieces_.passed() > passed_) {
             passed_ = pieces_.passed();
-            stage_ = std::make_unique<stage_series>(stage_now(), taylor_order(static_cast<int>(bits_)) + 2);
+            stage_ = std::make_unique<stage_series<R>>(stage_now(), taylor_order(static_cast<int>(bits_)) + 2);
+            errors_.begin_stage(stage_->form);
         }
     }
 
@@ -104,28 +93,15 @@ private:
         for (const delayed_leaf& each : system_.delayed()) {
             if (each.delay < passed_) {
                 const auto series = pieces_.view(each.delay, next_begins_).series(each.leaf);
-                inputs.push_back(rounded(series[0]));
-                inputs.push_back(rounded(series[1]));
+                inputs.push_back(rounded_number(series[0]));
+                inputs.push_back(rounded_number(series[1]));
             }
         }
         std::vector<number> leaves;
         for (const R& each : state_) {
-            leaves.push_back(rounded(each));
+            leaves.push_back(rounded_number(each));
         }
         return system_.stage(passed_, pieces_.begins(), leaves, inputs);
-    }
-
-    static number rounded(const R& x) {
-        constexpr int bits = 30;
-        const double value = rough_value(x);
-        if (!std::isfinite(value)) {
-            throw precision_exhausted("a state");
-        }
-        int exponent = 0;
-        const double mantissa = std::frexp(value, &exponent);
-        const rational power = exponent >= bits ? rational(integer(1) << (exponent - bits))
-                                                : rational(integer(1), integer(1) << (bits - exponent));
-        return number(rational(static_cast<long>(std::ldexp(mantissa, bits))) * power);
     }
 
     bool finish_piece() {
@@ -144,7 +120,7 @@ private:
         const delayed_view<R> here = pieces_.view(distance);
         std::vector<R> values;
         for (std::size_t k = 0; k < system_.leaves().size(); ++k) {
-            values.push_back(with_error(here.series(k)[0], here.error(k, R(0)).value));
+            values.push_back(with_error(here.value(k), here.error(k, R(0)).value));
         }
         return values;
     }
@@ -157,8 +133,10 @@ private:
             if (is_too_short(length) || steps_ >= most_steps) {
                 break;
             }
-            if (auto made = step_of(length)) {
-                finish_step(*std::move(made), end);
+            if (step_of(length)) {
+                finish_step(end);
+                log_of_limit_ =
+                    attempt > 0 ? std::log2(rough_value(length)) + growth_of_limit : log_of_limit_ + growth_of_limit;
                 return true;
             }
             end = shorter(length);
@@ -178,8 +156,8 @@ private:
         return exact_sum(next_begins_, binary_fraction(next_begins_, mantissa, static_cast<int>(whole) - bits));
     }
     double log_of_length() const;
-    std::optional<delay_step<R>> step_of(const R& length);
-    void finish_step(delay_step<R> made, const step_end& end);
+    bool step_of(const R& length);
+    void finish_step(const step_end& end);
 
     bool is_too_short(const R& length) const {
         const double least = std::ldexp(std::abs(rough_value(next_begins_)), -least_step_bits);
@@ -187,9 +165,9 @@ private:
     }
     bool has_digits() const {
         magnitude size, error;
-        for (const R& each : state_) {
-            size = larger_of(size, size_above(each));
-            error = larger_of(error, error_of(each));
+        for (std::size_t k = 0; k < state_.size(); ++k) {
+            size = larger_of(size, size_above(state_[k]));
+            error = larger_of(error, errors_.reach(k));
         }
         return error <= size * magnitude::of(1, 2 * static_cast<long>(widest_set));
     }
@@ -204,6 +182,8 @@ private:
     static constexpr int bits_of_equal_ends = 24;
     static constexpr double most_log_of_parts = 60;
     static constexpr long steps_unwatched = 16;
+    // log2 of the factor by which the longest length that is tried grows per step, after one that was too long.
+    static constexpr double growth_of_limit = 0.25;
     // Errors of a step are this number of bits below those of its initial values.
     static constexpr double bits_below_error = 12;
 
@@ -211,14 +191,20 @@ private:
     long bits_;
     march_watch watch_;
     delay_pieces<R> pieces_;
-    std::unique_ptr<stage_series> stage_;
+    std::unique_ptr<stage_series<R>> stage_;
     std::size_t passed_ = 0;
     std::vector<delayed_view<R>> views_;  // of each input, from the beginning of the step on
-    R origin_ = R(0);                     // the beginning of the piece
-    R length_ = R(0);                     // of the piece
-    R next_begins_ = R(0);                // the distance of the next step from it, exact
-    bool complete_ = false;               // whether the steps extend to its end
-    std::vector<R> state_;                // at the beginning of the next step
+    std::vector<R> given_;                // the state at the beginning of the step, with the inputs
+    std::vector<known_series<R>> known_;  // the slopes of the inputs
+    delay_step<R> made_;                  // the step, and the state at its end
+    std::vector<R> image_;
+    state_errors errors_;
+    double log_of_limit_ = no_radius;  // of the length of a step, log2
+    R origin_ = R(0);                  // the beginning of the piece
+    R length_ = R(0);                  // of the piece
+    R next_begins_ = R(0);             // the distance of the next step from it, exact
+    bool complete_ = false;            // whether the steps extend to its end
+    std::vector<R> state_;             // at the beginning of the next step
     long steps_ = 0;
     march_end end_ = march_end::none;
 };
@@ -226,30 +212,27 @@ private:
 // The series about the beginning of the step; false if the values there are not finite.
 template <field R>
 bool delay_march<R>::expand() {
-    const delay_stage& stage = stage_->stage;
     const int order = stage_->expansion.order();
-    std::vector<R> given(stage_->form.given, R(0));
-    for (std::size_t k = 0; k < state_.size(); ++k) {
-        given[stage.leaves[k]] = state_[k];
-    }
+    given_ = state_;
+    given_.resize(stage_->form.given, R(0));
     views_.clear();
-    std::vector<known_series<R>> known;
-    for (const delayed_input& each : stage.inputs) {
+    known_.clear();
+    for (const delayed_input& each : stage_->stage.inputs) {
         views_.push_back(pieces_.view(each.of.delay, next_begins_));
         const auto series = views_.back().series(each.of.leaf);
-        given[each.value] = with_error(series[0], views_.back().error(each.of.leaf, R(0)).value);
-        given[each.slope] = series[1];
+        given_[each.value] = with_error(series[0], views_.back().error(each.of.leaf, R(0)).value);
+        given_[each.slope] = series[1];
         std::vector<R> slopes(static_cast<std::size_t>(order) + 1, R(0));
         for (int n = 0; n < order; ++n) {
             slopes[static_cast<std::size_t>(n)] = R(series[static_cast<std::size_t>(n) + 1] * (n + 1));
         }
-        known.push_back({static_cast<int>(each.slope), std::move(slopes)});
+        known_.push_back({static_cast<int>(each.slope), std::move(slopes)});
     }
     const R time = R(origin_ + next_begins_);
-    const auto all = lifted_values(stage_->form, time, given);
+    const auto all = lifted_values(stage_->form, time, given_);
     const bool finite = std::ranges::all_of(all, [](const R& each) { return size_above(each).is_finite(); });
     if (finite) {
-        stage_->expansion.about(time, as_state(all), known);
+        stage_->expansion.about(time, as_state(all), known_);
     }
     return finite;
 }
@@ -275,7 +258,8 @@ double delay_march<R>::log_of_length() const {
         for (int n = 0; n <= order; ++n) {
             size = std::max(size, log_of(size_above(a[n])) + n * (radius - 3));
         }
-        const double allowed = std::max(size - static_cast<double>(bits_), log_of(error_of(a[0])) - bits_below_error);
+        const magnitude error = i < state_.size() ? errors_.reach(i) : error_of(a[0]);
+        const double allowed = std::max(size - static_cast<double>(bits_), log_of(error) - bits_below_error);
         for (int n = order - 1; n <= order; ++n) {
             if (const double last = log_of(size_above(a[n])); n > 0 && last > nothing) {
                 least = std::min(least, (allowed - last) / n);
@@ -299,7 +283,7 @@ auto delay_march<R>::end_of_step() const -> step_end {
     for (const step_end& each : ends) {
         gap = std::min(gap, distance(each));
     }
-    if (const double parts = std::ceil(gap / std::exp2(log_of_length())); parts > 1) {
+    if (const double parts = std::ceil(gap / std::exp2(std::min(log_of_length(), log_of_limit_))); parts > 1) {
         return {after(std::log2(gap) - std::min(std::log2(parts), most_log_of_parts)), false};
     }
     // Of ends at nearly the same time the last one, so that no short step is left; the end of the piece is exact.
@@ -311,40 +295,48 @@ auto delay_march<R>::end_of_step() const -> step_end {
     return *std::ranges::max_element(ends, {}, distance);
 }
 
-// std::nullopt if there is no bound for this length.
+// Prepares the step; false if there is no bound for this length.
 template <field R>
-std::optional<delay_step<R>> delay_march<R>::step_of(const R& length) {
-    const delay_stage& stage = stage_->stage;
+bool delay_march<R>::step_of(const R& length) {
     const int order = stage_->expansion.order();
-    delay_step<R> made{.begins = next_begins_, .length = length, .series = {}, .error = {}, .slope_error = {}};
+    const R time = R(origin_ + next_begins_);
+    std::vector<magnitude> slope_errors;
+    for (std::size_t i = 0; i < views_.size(); ++i) {
+        slope_errors.push_back(views_[i].error(stage_->stage.inputs[i].of.leaf, length).slope);
+    }
     std::optional<remainder_bound> bound;
     if constexpr (std::same_as<R, ball>) {
         std::vector<known_remainder> known;
-        for (std::size_t i = 0; i < views_.size(); ++i) {
-            known.push_back(
-                {static_cast<int>(stage.inputs[i].slope), views_[i].error(stage.inputs[i].of.leaf, length).slope});
+        for (std::size_t i = 0; i < known_.size(); ++i) {
+            known.push_back({known_[i].unknown, slope_errors[i]});
         }
-        bound =
-            bounded_remainder(stage_->steps, stage_->expansion, R(origin_ + next_begins_), magnitude(length), known);
+        bound = bounded_remainder(stage_->steps, stage_->expansion, time, magnitude(length), known);
         if (!bound) {
-            return std::nullopt;
+            return false;
         }
     }
-    for (const std::size_t place : stage.leaves) {
-        const R* const a = stage_->expansion.coefficients(static_cast<int>(place));
-        made.series.emplace_back(a, a + order + 1);
-        made.error.push_back(bound ? bound->error[place] : magnitude());
-        made.slope_error.push_back(bound ? bound->slope_error[place] : magnitude());
+    if (!errors_.enclose({time, length, given_, known_, slope_errors})) {
+        return false;
     }
-    return made;
+    made_ = {.begins = next_begins_, .length = length, .series = {}, .error = {}, .slope_error = {}};
+    image_.clear();
+    const auto spread = errors_.spread(state_.size());
+    for (std::size_t k = 0; k < state_.size(); ++k) {
+        const R* const a = stage_->expansion.coefficients(static_cast<int>(k));
+        made_.series.emplace_back(a, a + order + 1);
+        const series_error own = bound ? series_error{bound->error[k], bound->slope_error[k]} : series_error{};
+        made_.error.push_back(own.value + spread[k].value);
+        made_.slope_error.push_back(own.slope + spread[k].slope);
+        image_.push_back(with_error(value_of(made_.series[k], length), own.value));
+    }
+    return true;
 }
 
 template <field R>
-void delay_march<R>::finish_step(delay_step<R> made, const step_end& end) {
-    for (std::size_t k = 0; k < state_.size(); ++k) {
-        state_[k] = with_error(value_of(made.series[k], made.length), made.error[k]);
-    }
-    pieces_.add(std::move(made));
+void delay_march<R>::finish_step(const step_end& end) {
+    state_ = image_;
+    errors_.advance(state_, made_.series);
+    pieces_.add(std::move(made_));
     next_begins_ = end.at;
     complete_ = end.of_piece;
     if (++steps_ % steps_unwatched == 0 && watch_) {

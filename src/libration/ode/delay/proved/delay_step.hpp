@@ -7,6 +7,7 @@
 
 #include "libration/ode/ball/step_pieces.hpp"
 #include "libration/ode/expression.hpp"
+#include "libration/scalar/ball/failure.hpp"
 #include "libration/scalar/ball/magnitude.hpp"
 #include "libration/scalar/convert.hpp"
 #include "libration/scalar/scalar.hpp"
@@ -47,6 +48,21 @@ inline double rough_value(const ball& x) { return arf_get_d(arb_midref(x.handle(
 template <ordered_scalar T>
 double rough_value(const T& x) {
     return convert<double>(x);
+}
+
+// To 30 bits, as an exact number. Throws precision_exhausted for an infinite one.
+template <field R>
+number rounded_number(const R& x) {
+    constexpr int bits = 30;
+    const double value = rough_value(x);
+    if (!std::isfinite(value)) {
+        throw precision_exhausted("a state");
+    }
+    int exponent = 0;
+    const double mantissa = std::frexp(value, &exponent);
+    const rational power = exponent >= bits ? rational(integer(1) << (exponent - bits))
+                                            : rational(integer(1), integer(1) << (bits - exponent));
+    return number(rational(static_cast<long>(std::ldexp(mantissa, bits))) * power);
 }
 
 // m 2^e, exactly.

@@ -41,6 +41,9 @@ public:
         return is_exact_zero(shift_) ? step().series[leaf] : shifted(step().series[leaf], shift_);
     }
 
+    // The polynomial at the time.
+    R value(std::size_t leaf) const { return value_of(step().series[leaf], shift_); }
+
     // The bounds for the distances from 0 to `length`, which may exceed rest() by the uncertainty of both.
     series_error error(std::size_t leaf, const R& length) const {
         series_error result{step().error[leaf], step().slope_error[leaf]};
