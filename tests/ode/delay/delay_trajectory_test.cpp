@@ -127,27 +127,32 @@ TEST_CASE("linear equations have the piecewise polynomials of exact arithmetic",
     check_pieces("x' = x(t - 1/7) - 2*x(t - 2/5); x(t <= 0) = 1", {{5, 1}, {14, -2}}, rational(1, 35), 40);
 }
 
-// v = x - 1 has v' = -2 - v(t - 1) - v(t - sqrt 2), with the sum over the numbers of both delays.
+// v = x - 1 has v' = -1 - (v(t - 1) + v(t - sqrt 2) + v(t - sqrt 3))/3, with the sum over the numbers of all delays.
 TEST_CASE("incommensurable delays have the values of the sum over their multiples", "[ode][delay][proved]") {
     const precision_scope scope(80);
-    const number root = apply(function_kind::sqrt, number(rational(2)));
-    const rational time(19, 2);
+    const rational time(13, 2);
     const mpfr t = in_mpfr(time);
     mpfr exact = 1;
-    for (int n = 0; n < 10; ++n) {
-        mpfr binomial = 1;
-        for (int m = 0; m < 8; ++m) {
-            if (const mpfr rest = t - n - m * sqrt(mpfr(2)); rest > 0) {
-                mpfr term = -2 * binomial * ((n + m) % 2 == 0 ? 1 : -1);
-                for (int k = 1; k <= n + m + 1; ++k) {
-                    term *= rest / k;
+    for (int n = 0; n < 7; ++n) {
+        for (int m = 0; m < 5; ++m) {
+            for (int k = 0; k < 4; ++k) {
+                const mpfr rest = t - n - m * sqrt(mpfr(2)) - k * sqrt(mpfr(3));
+                if (rest <= 0) {
+                    continue;
+                }
+                // -rest^(n + m + k + 1)/((n + m + k + 1) n! m! k!) (-1/3)^(n + m + k)
+                mpfr term = -rest / (n + m + k + 1);
+                for (const int count : {n, m, k}) {
+                    for (int i = 1; i <= count; ++i) {
+                        term *= -rest / (3 * i);
+                    }
                 }
                 exact += term;
             }
-            binomial *= mpfr(n + m + 1) / (m + 1);
         }
     }
-    const auto found = proved_values("x' = -x(t - 1) - x(t - sqrt(2)); x(t <= 0) = 1", times_of({time}));
+    const auto found =
+        proved_values("x' = -(x(t - 1) + x(t - sqrt(2)) + x(t - sqrt(3)))/3; x(t <= 0) = 1", times_of({time}));
     CHECK(agrees(found.states[0][0], exact));
 }
 

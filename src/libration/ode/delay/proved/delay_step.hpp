@@ -105,8 +105,13 @@ bool certainly_negative(const T& x) {
     return x < 0;
 }
 
-// The same, and not only by rounding errors of numbers of this size.
-inline bool certainly_negative(const ball& x, const ball& /*size*/) { return arb_is_negative(x.handle()) != 0; }
+// The same, and by more than 2^-44 of a size, or some rounding errors of it: ends of steps that are equal as real numbers
+// are rounded in different ways.
+inline bool certainly_negative(const ball& x, const ball& size) {
+    constexpr long bits = 44;
+    const ball least = abs(size);
+    return certainly_negative(x + ldexp(least, -bits));
+}
 template <ordered_scalar T>
 bool certainly_negative(const T& x, const T& size) {
     constexpr int roundings = 16;  // of the sums that lead to x

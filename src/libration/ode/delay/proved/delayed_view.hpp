@@ -17,7 +17,7 @@ struct series_error {
 inline magnitude larger_of(const magnitude& a, const magnitude& b) { return a < b ? b : a; }
 
 // The solution from a time within a piece on. The step whose polynomials are used contains that time, except that the
-// time may be a little before its beginning if it is not known exactly.
+// time may be a little before its beginning.
 template <field R>
 class delayed_view {
 public:
