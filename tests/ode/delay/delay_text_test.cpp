@@ -51,6 +51,9 @@ TEST_CASE("delays are read as values of unknowns at earlier times, equal ones on
     CHECK(parse("y' = y(x - 1); y(x <= 0) = 1").variable == "x");
     CHECK(parse("y' = y(s - 1); y(s <= 0) = 1").variable == "s");
     CHECK(same_form(changed(parse(linear), "x(t <= 0) = 2 + t").histories[0].value, 2 + variable()));
+    const auto named = parse("x' = -x(t - 1) + r; r = x^2; x(t <= 0) = s; s = 1 + t");
+    CHECK(same_form(named.equations[0].right, -parameter(named.delays[0].parameter) + pow(unknown("x"), 2)));
+    CHECK(same_form(named.histories[0].value, 1 + variable()));
     CHECK(canonical_text(linear) == "x' = -x(t - 1)\nx(t <= 0) = 1\n");
 }
 

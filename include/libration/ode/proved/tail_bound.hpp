@@ -50,7 +50,7 @@ struct known_remainder {
     magnitude error;
 };
 
-/// Theorem D: as theorem T, on a real interval, for a system in which some functions are known (known_series) as
+/// Theorem M: as theorem T, on a real interval, for a system in which some functions are known (known_series) as
 /// polynomials of degree N - 1 plus continuous functions of at most known.error [THEOREMS: Schauder's theorem in the
 /// norm max |a(s)|]. If, with norms for rho = length, for some s >= 0 and all other i
 ///     length/(N+1) ||f_i(p), degrees >= N|| + length G_i(s) <= s_i,

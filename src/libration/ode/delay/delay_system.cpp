@@ -23,6 +23,13 @@ number value_at(const expression& e, const number& point, const history& of) {
 
 std::string slope_name(const delayed_value& of) { return "slope of " + of.parameter; }
 
+// Derivatives of algebraic equations would contain those of delayed values.
+void require_differential(const explicit_system& system) {
+    if (!system.algebraic().empty()) {
+        refuse("", {}, "has an algebraic equation, which is not supported with delays: solve it for an unknown");
+    }
+}
+
 // The derivative of a leaf of a system by its name, x or x', in leaves of these names.
 expression derivative_of_leaf(const std::string& name, const explicit_system& system) {
     for (std::size_t i = 0; i < system.unknowns().size(); ++i) {
@@ -132,9 +139,7 @@ void delay_system::read_delays(parameter_values& parameters) {
 
 void delay_system::read_starts() {
     const explicit_system first(equations(0));
-    if (!first.algebraic().empty()) {
-        refuse("", {}, "has an algebraic equation, which is not supported with delays: solve it for an unknown");
-    }
+    require_differential(first);
     if (first.singular()) {
         refuse("", {},
                "has a singular initial point, which is not supported with delays: choose another initial point");
@@ -210,6 +215,7 @@ delay_stage delay_system::stage(std::size_t passed, const number& point, const s
         }
     }
     const explicit_system solved(smooth);
+    require_differential(solved);
     std::vector<expression> unknowns;
     for (const std::string& name : names_of_state(*this)) {
         unknowns.push_back(unknown(name));

@@ -50,6 +50,9 @@ void replace_shorthands(equation_system& in) {
     for (const step_function& each : in.steps) {
         keep(each.parameter);
     }
+    for (const delayed_value& each : in.delays) {
+        keep(each.parameter);
+    }
     const equation_system definitions = in;
     parameter_values values(definitions, std::move(kept));
     const auto replace = [&](expression& e) { e = values.in(e); };
@@ -66,6 +69,12 @@ void replace_shorthands(equation_system& in) {
     }
     for (step_function& each : in.steps) {
         replace(each.argument);
+    }
+    for (delayed_value& each : in.delays) {
+        replace(each.delay);
+    }
+    for (history& each : in.histories) {
+        replace(each.value);
     }
     for (state_event& each : in.events) {
         replace(each.condition);

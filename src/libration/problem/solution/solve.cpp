@@ -70,11 +70,11 @@ answer solution::radius(const std::string& about, const request& how) const {
 }
 
 std::unique_ptr<solution> solve(const problem& given, const settings& by) {
-    if (given.equations().has_delays()) {
-        return std::make_unique<delay_solution>(given.equations());
-    }
     if (!given.equations().is_smooth()) {
         return std::make_unique<hybrid_solution>(given.equations());
+    }
+    if (given.equations().has_delays()) {
+        return std::make_unique<delay_solution>(given.equations());
     }
     if (!by.general) {
         for (const known_facts& facts : all_known_facts()) {

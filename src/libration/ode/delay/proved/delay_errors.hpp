@@ -35,7 +35,7 @@ public:
 };
 
 // Of balls: the state is in c + E, c exact. By the derivatives of the solution on a step by its beginning, over the whole
-// set (theorem V with the known functions of theorem D).
+// set (theorem V with the known functions of theorem M).
 class proved_errors {
 public:
     // Replaces each ball by its midpoint.

@@ -17,7 +17,7 @@
 
 namespace libration::ode {
 
-// In balls every result is proved (theorem D); other scalars round. A step ends at the latest where the next step of a
+// In balls every result is proved (theorem M); other scalars round. A step ends at the latest where the next step of a
 // delayed value begins, so that this value is one polynomial on it.
 template <field R>
 class delay_march {

@@ -14,7 +14,7 @@
 
 namespace libration::ode {
 
-// The solution on a step: polynomials about its beginning, and bounds of the rest and of its derivative (theorem D),
+// The solution on a step: polynomials about its beginning, and bounds of the rest and of its derivative (theorem M),
 // which are 0 in arithmetic that rounds. Of each leaf of the state.
 template <field R>
 struct delay_step {

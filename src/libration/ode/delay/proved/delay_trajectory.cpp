@@ -154,14 +154,21 @@ partial_states<T> part_of_delay(const delay_system& system, const std::vector<nu
                                 const march_watch& watch) {
     partial_states<T> result;
     result.states.assign(times.size(), solution_state<T>(1));
-    delay_march<T> march(system, static_cast<long>(digits<T>()), watch);
-    for (const std::size_t index : order_of(system, times)) {
-        const auto state = march.at(times[index]);
-        if (!state) {
-            result.missing = not_reached(times[index], march.reached(), "is computed");
-            break;
+    const auto order = order_of(system, times);
+    try {
+        delay_march<T> march(system, static_cast<long>(digits<T>()), watch);
+        for (const std::size_t index : order) {
+            const auto state = march.at(times[index]);
+            if (!state) {
+                throw not_reached(times[index], march.reached(), "is computed");
+            }
+            result.states[index] = {*state};
         }
-        result.states[index] = {*state};
+    } catch (const error& problem) {
+        if (problem.kind() != error_kind::undecided) {
+            throw;
+        }
+        result.missing = problem;
     }
     return result;
 }
