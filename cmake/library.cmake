@@ -47,9 +47,10 @@ set(vector_sources ${library_sources})
 list(FILTER vector_sources INCLUDE REGEX "/([a-z]+_vectors|vector_instructions)\\.cpp$")
 list(REMOVE_ITEM library_sources ${vector_sources})
 
-# The catalogue: the texts of problems/ and of its folders algebraic/, hybrid/ and stiff/, embedded, by name.
+# The catalogue: the texts of problems/ and of its folders algebraic/, delay/, hybrid/ and stiff/, embedded, by name.
 file(GLOB problem_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/problems/*.ode ${PROJECT_SOURCE_DIR}/problems/stiff/*.ode
-    ${PROJECT_SOURCE_DIR}/problems/hybrid/*.ode ${PROJECT_SOURCE_DIR}/problems/algebraic/*.ode)
+    ${PROJECT_SOURCE_DIR}/problems/hybrid/*.ode ${PROJECT_SOURCE_DIR}/problems/algebraic/*.ode
+    ${PROJECT_SOURCE_DIR}/problems/delay/*.ode)
 list(SORT problem_files COMPARE FILE_BASENAME)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${problem_files})
 set(catalogue_entries "")

@@ -175,7 +175,11 @@ TEST_CASE("the catalogue has the problems it promises", "[problem][catalogue]") 
                                    "detest_f4",
                                    "akzo_nobel",
                                    "transistor_amplifier",
-                                   "cartesian_pendulum"};
+                                   "cartesian_pendulum",
+                                   "mackey_glass",
+                                   "infectious_disease",
+                                   "wille_baker",
+                                   "wheldon"};
     for (const char group : std::string("abcde")) {
         for (const char which : std::string("12345")) {
             names.push_back(std::string("detest_") + group + which);

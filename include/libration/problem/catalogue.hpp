@@ -8,7 +8,7 @@
 namespace libration {
 
 /// problems/NAME.ode, of a stiff problem problems/stiff/NAME.ode, of one with events or a piecewise right-hand side
-/// problems/hybrid/NAME.ode.
+/// problems/hybrid/NAME.ode, of one with delays problems/delay/NAME.ode.
 struct catalogue_entry {
     std::string_view name;
     std::string_view text;
