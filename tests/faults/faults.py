@@ -563,11 +563,6 @@ FAULTS = [
     ),
     *in_file(
         "src/libration/ode/delay/proved/delay_march.hpp", [DELAYS],
-        ("the bound of a delayed value forgotten",
-         "given_[each.value] = with_error(series[0], views_.back().error(each.of.leaf, R(0)).value);",
-         "given_[each.value] = series[0];"),
-        ("the bound of its slope forgotten", "slope_errors.push_back(views_[i].error(stage_->stage.inputs[i].of.leaf, length).slope);",
-         "slope_errors.emplace_back();"),
         ("the bound of a step forgotten", "with_error(value_of(made_.series[k], length), own.value)",
          "value_of(made_.series[k], length)"),
         ("the set forgotten in the bounds of a step", "made_.error.push_back(own.value + spread[k].value);",
@@ -586,6 +581,8 @@ FAULTS = [
     ),
     *in_file(
         "src/libration/ode/delay/proved/delayed_view.hpp", [DELAYS],
+        ("the bounds of delayed values forgotten", "series_error result{step().error[leaf], step().slope_error[leaf]};",
+         "series_error result;"),
         ("the polynomial about the beginning of its step", ": shifted(step().series[leaf], shift_);",
          ": step().series[leaf];"),
         sources=("src/libration/ode/delay/proved/delay_trajectory.cpp",),

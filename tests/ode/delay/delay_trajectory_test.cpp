@@ -113,7 +113,7 @@ void check_enclosures(const std::string& text, const std::vector<rational>& time
         for (std::size_t i = 0; i < times.size(); ++i) {
             INFO("time " << times[i]);
             CHECK(contains((*found)[i][0], exact(i)));
-            CHECK(certainly_less(radius_of((*found)[i][0]), ball(1) / 16));
+            CHECK((bits < 28 || certainly_less(radius_of((*found)[i][0]), ball(1) / 16)));
         }
     }
 }
@@ -213,6 +213,18 @@ TEST_CASE("enclosures by few bits contain the solution", "[ode][delay][proved]")
     // With y = x(t - 1)^2/x(t - 1) instead of x(t - 1), which has other unknowns in polynomial form.
     check_enclosures("x' = -x(t - 1)^2/x(t - 1)*exp(-1); x(t <= 0) = exp(-t)", {1, 2, 3},
                      [&](std::size_t i) { return exp(-ball(static_cast<int>(i) + 1)); });
+}
+
+// The errors of the first steps are by far the largest at the end, so that a bound of a single step does not cover them.
+TEST_CASE("enclosures contain solutions whose errors grow", "[ode][delay][proved]") {
+    const precision_scope scope(60);
+    // By the delayed value.
+    const std::vector<rational> times{2, rational(13, 2), rational(19, 2)};
+    check_enclosures("x' = cos(t) + 6*(sin(t - 1) - x(t - 1)); x(t <= 0) = sin(t)", times,
+                     [&](std::size_t i) { return sin(constant_value<ball>::of(number(times[i]))); });
+    // By the value itself: besides e^t there are solutions like e^(2.6 t).
+    check_enclosures("x' = 3*x - 2*exp(1)*x(t - 1); x(t <= 0) = exp(t)", {1, 2, 3, 4},
+                     [&](std::size_t i) { return exp(ball(static_cast<int>(i) + 1)); });
 }
 
 TEST_CASE("solutions that do not reach a time say up to where they do", "[ode][delay][proved]") {
