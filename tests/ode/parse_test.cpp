@@ -92,19 +92,47 @@ TEST_CASE("a problem's statements are read in any order and on any lines", "[ode
     CHECK(parse("invariant(0) = 1; invariant' = invariant").unknowns().front() == "invariant");
 }
 
-TEST_CASE("an interval is refused wherever a number may stand", "[ode][parse]") {
-    // As an expression 1 +- 0.1 would be 0.9.
+TEST_CASE("an interval is the whole value of a parameter or of a start, and nothing else", "[ode][parse]") {
     for (const std::string sign : {"+-", " +-", "-+", "\u00b1", " \u2213 "}) {
         INFO(sign);
-        const auto of_interval = Catch::Contains("denotes an interval, which is not supported");
-        CHECK_THROWS_WITH(parse("x' = -x; x(0) = 1" + sign + "0.1"), of_interval);
-        CHECK_THROWS_WITH(parse("x' = -k*x; x(0) = 1; k = 2" + sign + "1e-3"), of_interval);
+        const auto system = parse("x' = -k*x; x(0) = 1" + sign + "0.1; k = 2 " + sign + " 1e-3");
+        REQUIRE(system.sets.size() == 2);
+        CHECK(system.sets[0].name == "x(0)");
+        CHECK(system.sets[0].lower.constant().plain()->coefficient == rational(9, 10));
+        CHECK(system.sets[0].upper.constant().plain()->coefficient == rational(11, 10));
+        CHECK(system.sets[1].name == "k");
+        CHECK_THROWS_WITH(explicit_system(system), Catch::Contains("'x(0)' at line 1, column 12 is a set of values"));
+        // As an expression 1 +- 0.1 would be 0.9.
+        const auto of_interval = Catch::Contains("denotes an interval, which is not supported here");
         CHECK_THROWS_WITH(parse("x' = 1" + sign + "x; x(0) = 1"), of_interval);
-        CHECK_THROWS_WITH(changed(parse("x' = -x; x(0) = 1"), "x(0) = 1" + sign + "0.1"), of_interval);
+        CHECK_THROWS_WITH(parse("x' = x; x(0) = 2*(1" + sign + "0.1)"), of_interval);
+        CHECK_THROWS_WITH(parse("x' = x; x(0) = 1" + sign + "0.1" + sign + "0.2"), of_interval);
         CHECK_THROWS_WITH(parse_constant("1" + sign + "0.1"), of_interval);
     }
+    const auto system = parse("x' = k*x; x(0) = [0.9,1.1], k = [-1, min0]; min0 = 2");
+    REQUIRE(system.sets.size() == 2);
+    CHECK(system.sets[0].upper.constant().plain()->coefficient == rational(11, 10));
+    CHECK(canonical_text("x' = k*x; x(0) = 1\u00b10.1; k = [1,2]") == "x' = k*x\nx(0) = 1 +- 0.1\nk = [1, 2]\n");
+    for (const std::string wrong : {"[1]", "[1, 2, 3]", "[1, 2", "[, 2]", "[1, 2] + 1", "[1; 2]"}) {
+        INFO(wrong);
+        CHECK_THROWS_WITH(parse("x' = x; x(0) = " + wrong), Catch::Contains("is not an interval: write both ends"));
+    }
+    CHECK_THROWS_WITH(parse("x' = [0, 1]*x; x(0) = 1"), Catch::Contains("is not a parenthesis here"));
     CHECK(parse_constant("1 + (-0.1)").constant().plain()->coefficient == rational(9, 10));
     CHECK(parse_constant("1 + -0.1").constant().plain()->coefficient == rational(9, 10));
+}
+
+TEST_CASE("a change replaces numbers and sets by each other", "[ode][parse]") {
+    const auto of = parse("x' = k*x; x(0) = [1, 2]; k = 3");
+    CHECK(changed(of, "x(0) = 1").sets.empty());
+    CHECK(explicit_system(changed(of, "x(0) = 1")).starts()[0][0].fraction() == rational(1));
+    const auto other = changed(of, "x(0) = [4, 5]; k = 1 +- 1/2");
+    REQUIRE(other.sets.size() == 2);
+    CHECK(other.sets[0].lower.fraction() == rational(4));
+    CHECK(other.parameter_of("k") == nullptr);
+    CHECK(changed(other, "k = 7").sets.size() == 1);
+    CHECK(changed(parse("x' = k*x; x(0) = 1"), "k = [1, 2]").open.empty());
+    CHECK_THROWS_WITH(changed(of, "q = [1, 2]"), Catch::Contains("is not a parameter of this problem"));
 }
 
 TEST_CASE("unused parameters are those that stand in their definition alone", "[ode][parse]") {

@@ -50,6 +50,14 @@ struct open_parameter {
     place at = {};
 };
 
+/// Every number of an interval, ends included, as the value of a parameter or an initial value.
+struct number_set {
+    std::string name;  ///< of the parameter; x'(0) for an initial value, which is then the parameter of this name
+    expression lower;  ///< constant, as is the other end; both may contain parameters
+    expression upper;
+    place at = {};
+};
+
 /// The direction in which a function crosses 0 as t increases.
 enum class crossing { any, up, down };
 
@@ -116,6 +124,7 @@ struct equation_system {
     std::vector<equation> invariants;  ///< constant along a solution: the left-hand side; the right-hand side is 0
     std::vector<definition> exact;     ///< the closed form of the unknown of this name
     std::vector<open_parameter> open;  ///< of a text: parameters that it leaves open, to be set before solving
+    std::vector<number_set> sets;      ///< parameters and initial values that are every number of an interval
     std::vector<state_event> events;   ///< at which the solution jumps or ends
     std::vector<step_function> steps;  ///< the step functions of piecewise right-hand sides
     std::vector<delayed_value> delays;
@@ -131,13 +140,22 @@ struct equation_system {
     equation_system& before(const expression& of, const expression& value, const expression& point = 0);
     /// Adds a parameter, or changes its value.
     equation_system& set(const std::string& name, const expression& value);
+    /// of(point) = every number from lower to upper.
+    equation_system& begin_between(const expression& of, const expression& lower, const expression& upper,
+                                   const expression& point = 0);
+    /// Adds a parameter that is every number from lower to upper, or changes its value.
+    equation_system& set_between(const std::string& name, const expression& lower, const expression& upper);
 
     /// The unknowns in the order of their first occurrence in the equations.
     std::vector<std::string> unknowns() const;
     /// The parameter, or null.
     const definition* parameter_of(const std::string& name) const;
+    /// The set of this name, or null.
+    const number_set* set_of(const std::string& name) const;
     /// Whether the text leaves the value of this parameter open.
     bool is_open(const std::string& name) const;
+    /// Whether it is a parameter with a number, a set or an open value.
+    bool has_parameter(const std::string& name) const;
     /// The highest derivative of an unknown in the equations; 1 if it occurs without one, 0 if it does not occur.
     int order_of(const std::string& unknown) const;
     /// Whether an unknown occurs in the equations, but no derivative of it.
@@ -152,6 +170,12 @@ struct equation_system {
 private:
     std::optional<int> highest_derivative_of(const std::string& unknown) const;
 };
+
+/// The name of an initial value, x'(0), by which a set refers to it.
+std::string name_of_start(const expression& of, const expression& point);
+
+/// Throws error if a parameter or an initial value is a set instead of a number.
+void require_numbers(const equation_system& system);
 
 /// The values of the parameters of a system, each computed once; they may depend on each other at any depth.
 class parameter_values {
@@ -181,7 +205,7 @@ private:
     void open(const std::string& name);
     expression substituted(const expression& e) const;
 
-    const std::vector<open_parameter>& without_value_;
+    const equation_system& system_;
     std::map<std::string, known_definition> definitions_;
     std::map<std::string, expression> values_;
     std::vector<opened_definition> open_;

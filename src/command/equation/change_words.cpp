@@ -55,7 +55,7 @@ void require_changeable(const ode::equation_system& system, const std::string& c
     if (!whole || left.empty()) {
         return;
     }
-    if (std::ranges::all_of(left, is_of_name) && system.parameter_of(left) == nullptr && !system.is_open(left) &&
+    if (std::ranges::all_of(left, is_of_name) && !system.has_parameter(left) &&
         !has_other_meaning(system, left)) {
         std::vector<std::string> own;
         std::ranges::transform(system.parameters, std::back_inserter(own), &ode::definition::name);

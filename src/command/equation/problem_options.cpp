@@ -140,11 +140,12 @@ std::unique_ptr<libration::solution> problem_options::general_solution() const {
 
 namespace {
 
-// Whether the text of --set has several values: a comma or a colon outside of parentheses, and no further equation.
+// Whether the text of --set has several values: a comma or a colon outside of parentheses and brackets, and no further
+// equation.
 bool is_list(std::string_view values) {
     int depth = 0;
     return values.find('=') == std::string_view::npos && std::ranges::any_of(values, [&](char c) {
-               depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+               depth += c == '(' || c == '[' ? 1 : c == ')' || c == ']' ? -1 : 0;
                return depth == 0 && (c == ',' || c == ':');
            });
 }

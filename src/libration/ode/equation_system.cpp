@@ -26,6 +26,12 @@ std::vector<std::string> parameters_in(const expression& e) {
     return names;
 }
 
+[[noreturn]] void refuse_set(const number_set& set) {
+    refuse(set.name, set.at,
+           "is a set of values, which is supported for enclosures at times and over spans of time (reference --time, "
+           "--over) alone: give it one number");
+}
+
 }  // namespace
 
 std::string beginning_of(const std::string& text) {
@@ -83,8 +89,24 @@ equation_system& equation_system::set(const std::string& name, const expression&
     } else {
         parameters.push_back({name, value, {}});
         std::erase_if(open, [&](const open_parameter& each) { return each.name == name; });
+        std::erase_if(sets, [&](const number_set& each) { return each.name == name; });
     }
     return *this;
+}
+
+equation_system& equation_system::set_between(const std::string& name, const expression& lower,
+                                              const expression& upper) {
+    std::erase_if(parameters, [&](const definition& each) { return each.name == name; });
+    std::erase_if(open, [&](const open_parameter& each) { return each.name == name; });
+    std::erase_if(sets, [&](const number_set& each) { return each.name == name; });
+    sets.push_back({name, lower, upper, {}});
+    return *this;
+}
+
+equation_system& equation_system::begin_between(const expression& of, const expression& lower, const expression& upper,
+                                                const expression& point) {
+    const std::string name = name_of_start(of, point);
+    return set_between(name, lower, upper).begin(of, parameter(name), point);
 }
 
 std::vector<std::string> equation_system::unknowns() const {
@@ -107,8 +129,17 @@ const definition* equation_system::parameter_of(const std::string& name) const {
     return found == parameters.end() ? nullptr : &*found;
 }
 
+const number_set* equation_system::set_of(const std::string& name) const {
+    const auto found = std::ranges::find(sets, name, &number_set::name);
+    return found == sets.end() ? nullptr : &*found;
+}
+
 bool equation_system::is_open(const std::string& name) const {
     return std::ranges::find(open, name, &open_parameter::name) != open.end();
+}
+
+bool equation_system::has_parameter(const std::string& name) const {
+    return parameter_of(name) != nullptr || set_of(name) != nullptr || is_open(name);
 }
 
 std::optional<int> equation_system::highest_derivative_of(const std::string& unknown) const {
@@ -132,8 +163,18 @@ int equation_system::order_of(const std::string& unknown) const {
 
 bool equation_system::is_algebraic(const std::string& unknown) const { return highest_derivative_of(unknown) == 0; }
 
+std::string name_of_start(const expression& of, const expression& point) {
+    return primed(of.name(), of.derivative()) + "(" + (point.fraction() ? point.fraction()->str() : "...") + ")";
+}
+
+void require_numbers(const equation_system& system) {
+    if (!system.sets.empty()) {
+        refuse_set(system.sets.front());
+    }
+}
+
 parameter_values::parameter_values(const equation_system& system, std::map<std::string, expression> open)
-    : without_value_(system.open), values_(std::move(open)) {
+    : system_(system), values_(std::move(open)) {
     for (const definition& each : system.parameters) {
         definitions_.emplace(each.name, known_definition{&each});
     }
@@ -185,8 +226,11 @@ void parameter_values::open(const std::string& name) {
     }
     const auto found = definitions_.find(name);
     if (found == definitions_.end()) {
-        const auto at = std::ranges::find(without_value_, name, &open_parameter::name);
-        refuse(name, at != without_value_.end() ? at->at : place(),
+        if (const number_set* const set = system_.set_of(name)) {
+            refuse_set(*set);
+        }
+        const auto at = std::ranges::find(system_.open, name, &open_parameter::name);
+        refuse(name, at != system_.open.end() ? at->at : place(),
                "has no value: write " + name + " = number for a parameter, " + name + "' = ... for an unknown");
     }
     if (!found->second.open) {

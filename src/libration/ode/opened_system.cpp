@@ -18,8 +18,7 @@ std::string remedy_for(const std::string& name, const equation_system& of) {
     std::vector<std::string> own;
     std::ranges::transform(of.parameters, std::back_inserter(own), &definition::name);
     for (const start& each : of.starts) {
-        const std::string point = each.point.fraction() ? each.point.fraction()->str() : "...";
-        own.push_back(primed(each.of.name(), each.of.derivative()) + "(" + point + ")");
+        own.push_back(name_of_start(each.of, each.point));
     }
     std::string list;
     for (std::size_t i = 0; i < own.size() && i < most_shown; ++i) {
@@ -44,6 +43,7 @@ std::string parameter_for_start(equation_system& made, const std::string& name, 
 class opening {
 public:
     opening(equation_system given, std::vector<std::string> names) : made_(std::move(given)), names_(std::move(names)) {
+        require_numbers(made_);
         made_.invariants.clear();
         made_.exact.clear();
         for (std::size_t i = 0; i < names_.size(); ++i) {

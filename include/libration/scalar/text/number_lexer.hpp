@@ -32,6 +32,6 @@ std::optional<std::string_view> interval_sign_at(std::string_view rest);
 
 /// The error message for such a sign, with the remedy.
 inline constexpr const char* interval_reason =
-    "denotes an interval, which is not supported: write one number, and a negative summand in parentheses";
+    "denotes an interval, which is not supported here: write one number, and a negative summand in parentheses";
 
 }  // namespace libration

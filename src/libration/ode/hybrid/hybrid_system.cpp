@@ -134,6 +134,7 @@ hybrid_system::hybrid_system(const equation_system& given) : given_(given) {
     }
     given_.invariants.clear();
     given_.exact.clear();
+    require_numbers(given_);
     std::map<std::string, expression> open;
     for (const step_function& each : given_.steps) {
         open.emplace(each.parameter, parameter(each.parameter));

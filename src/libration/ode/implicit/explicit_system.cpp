@@ -85,6 +85,7 @@ std::map<std::string, std::size_t> places_of(const std::vector<unknown_function>
 
 explicit_system::explicit_system(const equation_system& given) : variable_(given.variable) {
     require_smooth(given);
+    require_numbers(given);
     parameter_values parameters(given);
     read_unknowns(given);
     read_starts(given, parameters);

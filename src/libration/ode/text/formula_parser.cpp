@@ -59,6 +59,7 @@ private:
         if (word.symbol == ',') {
             refuse(",", word.at, "is not expected in parentheses: write a decimal point");
         }
+        refuse_interval(word);
         refuse(word.text, word.at, "is not expected here: write + - * / or ^ between numbers and names");
     }
 
@@ -222,6 +223,7 @@ private:
             return in_parentheses(word.at);
         }
         if (word.kind != token_kind::name) {
+            refuse_interval(word);
             refuse(std::string(1, word.symbol), word.at, "is not a number or a name: write one");
         }
         ++next_;

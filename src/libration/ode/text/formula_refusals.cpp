@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "libration/scalar/expression.hpp"
+#include "libration/scalar/text/number_lexer.hpp"
 
 namespace libration::ode {
 
@@ -175,6 +176,16 @@ expression delay_of(const expression& argument, const statement& words, std::siz
                "is not at an earlier time: write " + form + " with a positive delay, or " + product);
     }
     return at_zero;
+}
+
+void refuse_interval(const token& word) {
+    if (is_symbol(word, interval_sign)) {
+        refuse(word.text, word.at, interval_reason);
+    }
+    if (is_symbol(word, '[') || is_symbol(word, ']')) {
+        refuse(word.text, word.at,
+               "is not a parenthesis here: write (, or x(0) = [0, 1] for all initial values from 0 to 1");
+    }
 }
 
 void refuse_name(const token& word, const known_names& names) {

@@ -36,6 +36,9 @@ void require_constant_time(const expression& time, const statement& words, std::
 expression delay_of(const expression& argument, const statement& words, std::size_t name, std::size_t end,
                     const known_names& names);
 
+/// Throws error for the symbols of an interval, 1 +- 0.1 or [0, 1], within a formula.
+void refuse_interval(const token& word);
+
 /// A name without a value.
 [[noreturn]] void refuse_name(const token& word, const known_names& names);
 

@@ -81,6 +81,9 @@ known_names names_of(const equation_system& system) {
     for (const definition& each : system.parameters) {
         names.parameters.insert(each.name);
     }
+    for (const number_set& each : system.sets) {
+        names.parameters.insert(each.name);
+    }
     for (const open_parameter& each : system.open) {
         names.parameters.insert(each.name);
     }

@@ -8,6 +8,7 @@
 
 #include "event_statement.hpp"
 #include "formula_parser.hpp"
+#include "interval_value.hpp"
 #include "libration/ode/unused_parameters.hpp"
 #include "libration/scalar/text/near_word.hpp"
 #include "names.hpp"
@@ -132,8 +133,20 @@ private:
                    "is not an initial value of an unknown: add an equation with " + name.text + "'");
         }
         const expression point = constant(words, 2, equals - 1, "point");
-        const expression value = constant(words, equals + 1, words.size(), "value");
-        result_.starts.push_back({unknown(name.text, name.primes), point, value, name.at});
+        const expression started = unknown(name.text, name.primes);
+        const std::string set_name = name_of_start(started, point);
+        const bool is_set = read_set(words, equals + 1, set_name);
+        const expression value = is_set ? parameter(set_name) : constant(words, equals + 1, words.size(), "value");
+        result_.starts.push_back({started, point, value, name.at});
+    }
+
+    // Whether the value from this token on is an interval.
+    bool read_set(const statement& words, std::size_t begin, const std::string& name) {
+        auto found = set_in(words, begin, name, names_);
+        if (found) {
+            result_.sets.push_back(std::move(*found));
+        }
+        return found.has_value();
     }
 
     // x(t <= 0) = 1 + t
@@ -161,6 +174,9 @@ private:
         const std::string& name = words[0].text;
         if (!defined_.insert(name).second) {
             refuse(whole(words), words[0].at, "gives " + name + " a second value: give it only one");
+        }
+        if (read_set(words, 2, name)) {
+            return;
         }
         const bool depends_on_solution = std::any_of(words.begin() + 2, words.end(), [&](const token& word) {
             return word.kind == token_kind::name &&
@@ -207,10 +223,18 @@ private:
     std::set<std::string> defined_;
 };
 
+// Whether a set is a parameter instead of an initial value, x(0).
+bool is_name_of_parameter(const std::string& name) { return name.find('(') == std::string::npos; }
+
 // Reports a parameter that is not in the problem.
 [[noreturn]] void refuse_parameter(const definition& of, const equation_system& system) {
     std::vector<std::string> own;
     std::ranges::transform(system.parameters, std::back_inserter(own), &definition::name);
+    for (const number_set& each : system.sets) {
+        if (is_name_of_parameter(each.name)) {
+            own.push_back(each.name);
+        }
+    }
     std::ranges::transform(system.open, std::back_inserter(own), &open_parameter::name);
     std::string list;
     for (const std::string& name : own) {
@@ -225,7 +249,7 @@ private:
 void require_no_other_meaning(const statement& words, const equation_system& system) {
     const token& name = words[0];
     if (name.kind != token_kind::name || name.primes > 0 || !symbol_at(words, 1, '=') ||
-        system.parameter_of(name.text) != nullptr || system.is_open(name.text)) {
+        system.has_parameter(name.text)) {
         return;
     }
     const auto unknowns = system.unknowns();
@@ -260,7 +284,7 @@ equation_system changed(equation_system system, std::string_view text) {
     }
     const auto shorthands = shorthands_of(system);
     for (const definition& each : more.parameters) {
-        if (system.parameter_of(each.name) == nullptr && !system.is_open(each.name)) {
+        if (!system.has_parameter(each.name)) {
             refuse_parameter(each, system);
         }
         if (shorthands.contains(each.name)) {
@@ -282,6 +306,8 @@ equation_system changed(equation_system system, std::string_view text) {
         const auto found =
             std::ranges::find_if(system.starts, [&](const start& s) { return same_form(s.of, each.of); });
         if (found != system.starts.end()) {
+            const std::string before = name_of_start(found->of, found->point);
+            std::erase_if(system.sets, [&](const number_set& set) { return set.name == before; });
             *found = each;
         } else if (each.of.derivative() < system.order_of(each.of.name())) {
             system.starts.push_back(each);
@@ -289,6 +315,13 @@ equation_system changed(equation_system system, std::string_view text) {
             refuse(primed(each.of.name(), each.of.derivative()), each.at,
                    "has no initial value in this problem: choose one that has");
         }
+    }
+    for (const number_set& each : more.sets) {
+        if (is_name_of_parameter(each.name) && !system.has_parameter(each.name)) {
+            refuse_parameter({each.name, {}, each.at}, system);
+        }
+        system.set_between(each.name, each.lower, each.upper);
+        system.sets.back().at = each.at;
     }
     return system;
 }

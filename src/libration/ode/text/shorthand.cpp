@@ -44,6 +44,9 @@ void replace_shorthands(equation_system& in) {
             keep(each.name);
         }
     }
+    for (const number_set& each : in.sets) {
+        keep(each.name);
+    }
     for (const open_parameter& each : in.open) {
         keep(each.name);
     }

@@ -45,7 +45,7 @@ public:
                 read_superscript();
             } else {
                 words_.push_back(word(c));
-                open_ += is_symbol(words_.back(), '(') ? 1 : is_symbol(words_.back(), ')') ? -1 : 0;
+                open_ += change_of_depth(words_.back());
                 touches_ = true;
             }
         }
@@ -196,7 +196,7 @@ private:
         touches_ = true;
     }
 
-    // A comma outside parentheses separates statements; inside, the arguments of a function.
+    // A comma outside parentheses separates statements; inside, the arguments of a function or the ends of an interval.
     bool ends_at_comma() const {
         if (rest_.front() != ',' || open_ > 0) {
             return false;
@@ -224,7 +224,10 @@ private:
             made.symbol = c.source.front();
             return 2;
         }
-        require_no_interval(c);
+        if (const std::size_t bytes = bytes_of_interval_sign(c)) {
+            made.symbol = interval_sign;
+            return bytes;
+        }
         if (c.kind == character_kind::symbol || (c.kind == character_kind::ascii && is_allowed(c.source.front()))) {
             made.symbol = c.ascii.front();
             return c.source.size();
@@ -232,20 +235,21 @@ private:
         refuse_symbol(c);
     }
 
-    static bool is_allowed(char c) { return std::string_view("()+-*/^=,:<>").find(c) != std::string_view::npos; }
+    static bool is_allowed(char c) { return std::string_view("()[]+-*/^=,:<>").find(c) != std::string_view::npos; }
 
-    // +- and -+, also of other characters for a minus.
-    void require_no_interval(const character& c) const {
+    // Of +- and -+, also of other characters for a minus; 0 if the text does not begin with one.
+    std::size_t bytes_of_interval_sign(const character& c) const {
         if (const auto sign = interval_sign_at(rest_)) {
-            refuse(std::string(*sign), at_, interval_reason);
+            return sign->size();
         }
         if ((c.ascii == "+" || c.ascii == "-") && rest_.size() > c.source.size()) {
             const character next = first_character(rest_.substr(c.source.size()));
             if ((next.ascii == "+" || next.ascii == "-") && next.ascii != c.ascii &&
                 next.kind != character_kind::superscript) {
-                refuse(std::string(c.source) + std::string(next.source), at_, interval_reason);
+                return c.source.size() + next.source.size();
             }
         }
+        return 0;
     }
 
     [[noreturn]] void refuse_symbol(const character& c) const {
@@ -254,7 +258,6 @@ private:
             refuse(shown, at_, "does not follow a name: write primes directly after an unknown, as f''");
         }
         switch (c.source.front()) {
-            case '[':
             case '{': refuse(shown, at_, "is not a parenthesis here: write (");
             default: refuse(shown, at_, "is not allowed in a problem: write names, numbers, + - * / ^ ( ) = and ;");
         }
@@ -263,7 +266,7 @@ private:
     std::string_view rest_;
     place at_{1, 1};
     bool touches_ = false;
-    long open_ = 0;  // parentheses of the statement
+    long open_ = 0;  // parentheses and brackets of the statement
     statement words_;
     std::vector<statement> all_;
 };

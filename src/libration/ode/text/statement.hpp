@@ -11,8 +11,11 @@ namespace libration::ode {
 
 enum class token_kind { numeral, name, symbol };
 
-/// A token of the text: a number, a name with its primes, or a symbol ( ) + - * / ^ = < > : and a comma in parentheses;
-/// <= and >= are < and >.
+/// The symbol of +-, -+ and the single characters for them.
+inline constexpr char interval_sign = '~';
+
+/// A token of the text: a number, a name with its primes, or a symbol ( ) [ ] + - * / ^ = < > :, interval_sign, and a
+/// comma in parentheses or brackets; <= and >= are < and >.
 struct token {
     token_kind kind = token_kind::symbol;
     std::string text;         ///< in ASCII, without primes
@@ -44,6 +47,11 @@ std::string corrected(const statement& words, std::size_t first, std::size_t las
 
 /// Whether the token is this symbol.
 bool is_symbol(const token& word, char c);
+/// 1 for ( and [, -1 for ) and ], 0 for other tokens.
+inline int change_of_depth(const token& word) {
+    const bool opens = is_symbol(word, '(') || is_symbol(word, '[');
+    return opens ? 1 : is_symbol(word, ')') || is_symbol(word, ']') ? -1 : 0;
+}
 /// Whether the token of this index exists and is this symbol.
 bool symbol_at(const statement& words, std::size_t index, char c);
 
