@@ -32,6 +32,7 @@ DISCS = "ode/proved/complex_disc_test.cpp"
 BOUNDS = "ode/proved/radius_bounds_test.cpp"
 SINGULAR = "ode/proved/singular_step_test.cpp"
 ROUTES = "ode/proved/proof_route_test.cpp"
+SETS = "ode/proved/solution_sets_test.cpp"
 SYSTEMS = "ode/singularity/systems_test.cpp"
 EVENTS = "ode/proved/proved_events_test.cpp"
 DELAYS = "ode/delay/delay_trajectory_test.cpp"
@@ -451,9 +452,38 @@ FAULTS = [
          "const bool is_zero = added_[i].is_zero();"),
     ),
     *in_file(
+        "src/libration/ode/rigorous/matrix/separate_columns.cpp", [SETS],
+        ("the remainder of a column dropped",
+         "rounded.added_[i].add_product(magnitude(columns_[j][i] - rounded.columns_[j][i]), rounded.radii_[j]);", ""),
+    ),
+    *in_file(
+        "src/libration/ode/proved/sets/set_problem.cpp", [SETS],
+        ("the curvature of the initial values forgotten",
+         "added[i].add_product(magnitude(derivative[i][j] - column[i]), radii.back());", ""),
+        ("an interval rounded inwards", "{lower_bound(constant_value<ball>::of(lower_[j])),",
+         "{upper_bound(constant_value<ball>::of(lower_[j])),"),
+    ),
+    *in_file(
+        "src/libration/ode/proved/sets/set_run.cpp", [SETS],
+        ("a piece of a span left out", "enclose_piece(step, middle, last, index, halvings - 1);", ""),
+        ("the last piece of a step left out", "enclose_piece(step, from, last, index, most_halvings);", ""),
+        ("derivatives of the last piece alone", "hull(kept->derivatives[k][j], derivatives[k][j])", "derivatives[k][j]"),
+        ("a turning point between the ends of a piece", "known_sign(slopes[place]) != 0", "place < slopes.size()"),
+    ),
+    *in_file(
+        "src/libration/ode/proved/sets/divided_box.cpp", [SETS],
+        ("derivatives of one part for all", "derivative = hull(derivative, more->derivatives[k][j]);",
+         "derivative = more->derivatives[k][j];"),
+        ("half of a divided part lost", "parts_.push_back(enclosed(upper));", "parts_.push_back(enclosed(lower));"),
+    ),
+    *in_file(
+        "src/libration/ode/proved/sets/solution_sets.cpp", [SETS],
+        ("the wrong face", "ends[j] < 0 ? face[j].lower", "ends[j] > 0 ? face[j].lower"),
+    ),
+    *in_file(
         "src/libration/ode/proved/proved_march.cpp", [MARCHES],
         ("the radii of a step forgotten", "added.emplace_back(image[i] - set_.centre[i]);", "added.emplace_back();"),
-        ("the start as its midpoint", "widths.emplace_back(each - set_.centre.back());", "widths.emplace_back();"),
+        ("the start as its midpoint", "widths.emplace_back(each - box.centre.back());", "widths.emplace_back();"),
     ),
     *in_file(
         "src/libration/ode/proved/proved_step.cpp", [MARCHES],

@@ -1,5 +1,5 @@
-// Rigorous results for differential equations: solutions, events, unknowns, conditions at infinity, coefficients,
-// condition numbers, singularities and radii of convergence.
+// Rigorous results for differential equations: solutions, sets of them, events, unknowns, conditions at infinity,
+// coefficients, condition numbers, singularities and radii of convergence.
 #pragma once
 
 #include "libration/ode/ball/taylor_expansion.hpp"
@@ -10,3 +10,4 @@
 #include "libration/ode/proved/proved_singularity.hpp"
 #include "libration/ode/proved/proved_trajectory.hpp"
 #include "libration/ode/proved/solution_branch.hpp"
+#include "libration/ode/proved/solution_sets.hpp"

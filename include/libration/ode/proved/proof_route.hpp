@@ -11,7 +11,7 @@ namespace libration::ode {
 /// The choices that theorems T, S, V, L and C leave open: any order, any step inside the radius, any enclosing product
 /// of series. Two routes prove the same statements; what they have in common is listed in docs/proved.md.
 struct proof_route {
-    /// Added to the order of each Taylor polynomial, >= 0.
+    /// Added to the order of each Taylor polynomial; it may be negative, for shorter steps.
     int more_terms = 0;
     /// The length of each step in eighths of the one that the integrator chooses, 1 .. 8.
     unsigned long step_eighths = 8;

@@ -64,6 +64,10 @@ public:
     /// The same from all initial values in a box of balls, the given unknowns at the point of the system.
     proved_march(const explicit_system& system, const std::vector<ball>& start, long bits,
                  long error_bits = usual_error_bits, march_watch watch = {}, const proof_route& route = {});
+    /// The same from all states of a set, of any number of columns (error_set). It is of any width: the proof ends when
+    /// no step is found, instead of when an unknown is not distinguished from 0.
+    proved_march(const explicit_system& system, state_set start, long bits, march_watch watch = {},
+                 const proof_route& route = {});
     ~proved_march();
 
     /// The given unknowns at a time, enclosing each solution through the initial set; times in one direction, away from
@@ -86,6 +90,10 @@ public:
     const std::vector<ball>& before() const { return before_; }
     /// The derivative at a time for which at() has just been called.
     ball_matrix derivative_at(const ball& time) const;
+    /// The derivative at reached(), if it is kept.
+    const std::optional<ball_matrix>& derivative() const { return derivative_; }
+    /// The set at reached().
+    const state_set& set() const { return set_; }
 
     /// The step from reached() towards times at this distance, infinite if there is no last one, by either integrator,
     /// computed once and valid until the next one is taken. Returns nullptr if the proof ends here.
@@ -112,6 +120,8 @@ public:
     const collocation_use& collocation() const;
 
 private:
+    proved_march(const explicit_system& system, state_set start, const std::vector<ball>& hull, long bits,
+                 long error_bits, march_watch watch, const proof_route& route);
     proved_march(singular_step begin, long bits, march_watch watch, long error_bits, const proof_route& route);
 
     void make_step();
@@ -120,6 +130,7 @@ private:
     bool expand_variations();
     double radius_of_variations() const;
     bool choose_length();
+    void shorten_for_width();
     const proved_step* stopped(march_end why);
     const proved_step* stopped_by_bounds();
     void require_integrator() const;

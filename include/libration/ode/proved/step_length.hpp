@@ -82,10 +82,18 @@ public:
         }
         return false;
     }
+    /// From here on no unknown counts as distinguished from 0, and none is lost.
+    void accept_any_width() {
+        any_width_ = true;
+        for (unknown_scale& each : all_) {
+            each.resolved = false;
+        }
+    }
+    bool accepts_any_width() const { return any_width_; }
     /// Marks as distinguished from 0 the unknowns whose error set is narrower than 2^limit of their size.
     void resolve(double limit) {
         for (unknown_scale& each : all_) {
-            each.resolved = each.resolved || (each.size != nothing && each.reach - each.size < limit);
+            each.resolved = (each.resolved || (each.size != nothing && each.reach - each.size < limit)) && !any_width_;
         }
     }
     /// Whether any error set is wider than 2^limit of the size of its unknown.
@@ -156,6 +164,7 @@ private:
     std::vector<unknown_scale> all_;
     bool by_scales_ = false;
     bool by_errors_ = false;
+    bool any_width_ = false;
 };
 
 /// The indices of the derivatives of the unknowns with respect to each other in the system with its variations.

@@ -21,7 +21,9 @@ ball_matrix product(const ball_matrix& a, const ball_matrix& b);
 /// { sum_b B_b x_b + a : |x_b| <= r_b, |a_i| <= e_i }, B_b the columns of a block, one or two of them, with the Euclidean
 /// norm; columns of balls stand for each of their matrices. Theorem V has blocks of one: B [-r, r] + [-e, e], and after
 /// settled() B = S Q, S a diagonal matrix of powers of two, Q exact and nearly orthogonal, and e = 0. In theorem K the
-/// columns need not be as many as the coordinates.
+/// columns need not be as many as the coordinates. In theorem V there may be more: then those that exceed the number of
+/// coordinates, the first ones, are followed separately, C [-q, q] + B [-r, r] + [-e, e] (two images of boxes
+/// [MrozekZgliczynski2000]), so that a wide set is not wrapped in Q.
 class error_set {
 public:
     error_set() = default;
@@ -54,8 +56,9 @@ public:
     /// precision_exhausted if A is not finite.
     error_set image(const ball_matrix& map, const std::vector<magnitude>& added) const;
 
-    /// For as many columns as coordinates, a set S Q [-r', r'] that contains this one, S = diag(2^scales_i), scales 0 if
-    /// none are given:
+    /// A set S Q [-r', r'] that contains this one, S = diag(2^scales_i), scales 0 if none are given. Of more columns than
+    /// coordinates the first ones remain, rounded, with their errors in e; the others become separate ones too, up to a
+    /// limit, when they are not small next to them. For as many:
     ///     r' = |Q^-1 S^-1 B| r + |Q^-1| S^-1 e,
     /// Q the orthogonal factor of the midpoint of S^-1 B, its columns in the order of their lengths times r [Lohner].
     /// With scales near the sizes of the unknowns the set is as narrow relative to the smallest as to the largest of
@@ -70,6 +73,11 @@ public:
     }
 
 private:
+    error_set settled_behind(std::size_t kept, const std::vector<long>& scales) const;
+    magnitude reach_of(std::size_t first, std::size_t last, std::size_t i) const;
+    bool is_wide_behind(std::size_t kept) const;
+    void keep_all_columns(const std::vector<long>& scales);
+
     ball_matrix columns_;
     std::vector<std::size_t> blocks_;
     std::vector<magnitude> radii_, added_;

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "../rigorous/lifted_set.hpp"
 #include "../rigorous/matrix/dense_matrix.hpp"
 #include "collocation_phase.hpp"
 #include "libration/ode/ball/step_pieces.hpp"
@@ -41,8 +42,12 @@ void proved_march::require_integrator() const {
 }
 
 bool proved_march::begins_collocation(const proved_step& step, const ball& rest) {
-    if (!collocation_->may_begin(steps_, step.length(), rest, derivative_.has_value()) ||
-        !collocation_->begin(steps_, time_, set_, step.length(), rest, derivative_.has_value())) {
+    if (!collocation_->may_begin(steps_, step.length(), rest, derivative_.has_value())) {
+        return false;
+    }
+    const bool has_more_columns = set_.errors.columns().size() > set_.centre.size();
+    const auto set = has_more_columns ? set_of_first(set_.centre.size(), set_) : std::optional(set_);
+    if (!set || !collocation_->begin(steps_, time_, *set, step.length(), rest, derivative_.has_value())) {
         return false;
     }
     used_ = false;

@@ -23,10 +23,27 @@ constexpr long bits_unwatched = 4096;
 constexpr double worth_more_terms = 0.3;
 // The bits of the error map that its largest terms may lose before its precision is increased.
 constexpr double bits_to_lose = 16;
+// log2 of the uncertainty of the error map from which on it is worth shorter steps, of the factor by which it may grow
+// more than the length of the step, and how often that is halved.
+constexpr double significant_uncertainty = -12;
+constexpr double excess_growth = 0.3;
+constexpr int most_halvings_for_width = 5;
 
 singular_step begin_of(const explicit_system& system, long bits, const proof_route& route) {
     return system.singular() ? proved_singular_step(system, bits, route)
                              : singular_step{system, enclosed_start(system, bits), {}};
+}
+
+state_set box_around(const std::vector<ball>& start, long bits) {
+    const precision_scope scope(decimal_digits(bits));
+    state_set box;
+    std::vector<magnitude> widths;
+    for (const ball& each : start) {
+        box.centre.push_back(exact_midpoint(each));
+        widths.emplace_back(each - box.centre.back());
+    }
+    box.errors = error_set(std::move(widths));
+    return box;
 }
 
 }  // namespace
@@ -48,6 +65,16 @@ proved_march::proved_march(singular_step begin, long bits, march_watch watch, lo
 
 proved_march::proved_march(const explicit_system& system, const std::vector<ball>& start, long bits, long error_bits,
                            march_watch watch, const proof_route& route)
+    : proved_march(system, box_around(start, bits), start, bits, error_bits, std::move(watch), route) {}
+
+proved_march::proved_march(const explicit_system& system, state_set start, long bits, march_watch watch,
+                           const proof_route& route)
+    : proved_march(system, start, start.hull(), bits, usual_error_bits, std::move(watch), route) {
+    scales_.accept_any_width();
+}
+
+proved_march::proved_march(const explicit_system& system, state_set start, const std::vector<ball>& hull, long bits,
+                           long error_bits, march_watch watch, const proof_route& route)
     : lifted_(lifted(system)),
       tape_(tape::about_points(lifted_.system)),
       varied_tape_(tape::about_points(with_variations(lifted_))),
@@ -55,7 +82,8 @@ proved_march::proved_march(const explicit_system& system, const std::vector<ball
       error_bits_(error_bits),
       route_(route),
       set_order_(taylor_order(static_cast<int>(error_bits)) - 2 + route.more_terms),
-      scales_(start),
+      set_(std::move(start)),
+      scales_(hull),
       set_bits_(error_bits),
       watch_(std::move(watch)),
       collocation_(std::make_unique<collocation_phase>(lifted_, bits, route)) {
@@ -63,12 +91,6 @@ proved_march::proved_march(const explicit_system& system, const std::vector<ball
     const precision_scope scope(decimal_digits(bits));
     time_ = constant_value<ball>::of(system.point());
     origin_ = time_;
-    std::vector<magnitude> widths;
-    for (const ball& each : start) {
-        set_.centre.push_back(exact_midpoint(each));
-        widths.emplace_back(each - set_.centre.back());
-    }
-    set_.errors = error_set(std::move(widths));
 }
 
 const proved_step* proved_march::stopped(march_end why) {
@@ -174,6 +196,9 @@ bool proved_march::choose_length() {
     const double growth = growth_of_terms(now_->of_set_, scales_, places, at_first);
     const double of_set = longest_for_map(*now_->set_tail_, scales_, places, wanted - growth);
     now_->length_ = route_.shortened(power_of_two(std::min(at_first, of_set)));
+    if (scales_.accepts_any_width()) {
+        shorten_for_width();
+    }
     // If the flow contracts much faster than the solution moves, the error map needs more terms and bits.
     if (of_set + worth_more_terms < of_centre) {
         set_order_ = std::min(set_order_ + set_order_ / 4, now_->of_centre_.order());
@@ -184,6 +209,32 @@ bool proved_march::choose_length() {
         set_bits_ = bits + bits_below_the_set;
     }
     return more;
+}
+
+// The derivative over a wide set is enclosed the less sharply the longer the step is: until its uncertainty grows about
+// as the length.
+void proved_march::shorten_for_width() {
+    const auto uncertainty = [this](const magnitude& length) {
+        const ball_matrix map = now_->derivative_of_flow(length.exact());
+        double most = nothing;
+        for (std::size_t i = 0; i < map.size(); ++i) {
+            for (std::size_t j = 0; j < map.size(); ++j) {
+                const double scale = scales_[j].scale - scales_[i].scale;
+                most = std::max(most, log_of(magnitude::radius_of(map[i][j])) + scale);
+            }
+        }
+        return most;
+    };
+    double now = uncertainty(now_->length_);
+    for (int halving = 0; halving < most_halvings_for_width && now > significant_uncertainty; ++halving) {
+        const magnitude half = now_->length_.shifted(-1);
+        const double then = uncertainty(half);
+        if (now - then < 1 + excess_growth) {
+            return;
+        }
+        now_->length_ = half;
+        now = then;
+    }
 }
 
 void proved_march::take(const proved_step& prepared, int direction) {

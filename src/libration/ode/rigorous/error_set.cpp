@@ -220,6 +220,9 @@ error_set error_set::image(const ball_matrix& map, const std::vector<magnitude>&
 }
 
 error_set error_set::settled(const std::vector<long>& scales) const {
+    if (columns_.size() > size()) {
+        return settled_behind(columns_.size() - size(), scales);
+    }
     const auto scale_of = [&](std::size_t i) { return scales.empty() ? 0 : scales[i]; };
     const std::vector<magnitude> radii = radii_of_columns();
     std::vector<column> midpoints(size());

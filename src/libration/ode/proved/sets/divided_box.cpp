@@ -1,0 +1,198 @@
+#include "divided_box.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "libration/scalar/ball/predicates.hpp"
+
+namespace libration::ode {
+
+namespace {
+
+constexpr double negligible_excess = 1.0 / 16;
+
+bool is_time(const time_span& span) { return (span.to - span.from).sign() == 0; }
+
+// a/b of two widths, for choices.
+double ratio_of_widths(const magnitude& a, const magnitude& b) { return std::exp2(log_of(a) - log_of(b)); }
+
+magnitude width_of(const closed_interval& of) { return magnitude(of.upper - of.lower); }
+
+bool is_monotone(const std::vector<ball>& derivatives) {
+    return std::ranges::all_of(derivatives, [](const ball& each) { return direction_of(each) != 0; });
+}
+
+}  // namespace
+
+int direction_of(const ball& derivative) {
+    if (arb_is_zero(derivative.handle()) != 0) {
+        return 2;
+    }
+    return arb_is_nonnegative(derivative.handle()) != 0 ? 1 : arb_is_nonpositive(derivative.handle()) != 0 ? -1 : 0;
+}
+
+divided_box::divided_box(number_box whole, const set_run_request& how, std::size_t most_parts)
+    : whole_(std::move(whole)), how_(how) {
+    parts_.push_back(enclosed(whole_));
+    unite();
+    while (parts_.size() < most_parts) {
+        const auto next = next_division();
+        if (!next) {
+            break;
+        }
+        number_box upper = parts_[next->part].box;
+        number_box lower = upper;
+        lower[next->side].upper = upper[next->side].lower = middle_of(upper[next->side]);
+        parts_[next->part] = enclosed(lower);
+        parts_.push_back(enclosed(upper));
+        unite();
+    }
+}
+
+divided_box::part divided_box::enclosed(const number_box& box) {
+    part made{box, enclosed_from(box, how_)};
+    steps_ += made.run.steps;
+    return made;
+}
+
+// The spans that all parts reach.
+void divided_box::unite() {
+    spans_ = parts_.front().run.spans;
+    for (std::size_t p = 1; p < parts_.size(); ++p) {
+        for (std::size_t i = 0; i < spans_.size(); ++i) {
+            const auto& more = parts_[p].run.spans[i];
+            if (!spans_[i] || !more) {
+                spans_[i].reset();
+                continue;
+            }
+            for (std::size_t k = 0; k < more->values.size(); ++k) {
+                extend(spans_[i]->values[k], more->values[k]);
+                for (std::size_t j = 0; j < whole_.size(); ++j) {
+                    ball& derivative = spans_[i]->derivatives[k][j];
+                    derivative = hull(derivative, more->derivatives[k][j]);
+                }
+            }
+        }
+    }
+}
+
+std::optional<std::size_t> divided_box::index_of_first_end() const {
+    std::optional<std::size_t> first;
+    const auto distance = [&](std::size_t p) {
+        return midpoint_alone(abs(parts_[p].run.reached - constant_value<ball>::of(how_.of.system().point())));
+    };
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+        if (!parts_[p].run.complete && (!first || exactly_less(distance(p), distance(*first)))) {
+            first = p;
+        }
+    }
+    return first;
+}
+
+const set_run_result* divided_box::first_end() const {
+    const auto first = index_of_first_end();
+    return first ? &parts_[*first].run : nullptr;
+}
+
+const number_box& divided_box::box_of_first_end() const {
+    const auto first = index_of_first_end();
+    return first ? parts_[*first].box : whole_;
+}
+
+std::optional<divided_box::division> divided_box::next_division() const {
+    bool wide = false;
+    for (std::size_t j = 0; j < whole_.size(); ++j) {
+        wide = wide || how_.of.is_wide(j);
+    }
+    return !wide ? std::nullopt : index_of_first_end() ? of_ending_part() : of_widest_part();
+}
+
+// The side of a part that is widest relative to the whole box.
+std::size_t divided_box::widest_side(const part& of) const {
+    std::size_t widest = 0;
+    double most = -1;
+    for (std::size_t j = 0; j < whole_.size(); ++j) {
+        const double share = has_width(whole_[j]) ? ratio_of_widths(radius_of(of.box[j]), radius_of(whole_[j])) : -1;
+        if (share > most) {
+            most = share;
+            widest = j;
+        }
+    }
+    return widest;
+}
+
+// The part that ends first, along the side that contributes most to the width of a value there.
+std::optional<divided_box::division> divided_box::of_ending_part() const {
+    const std::size_t index = *index_of_first_end();
+    const part& ends = parts_[index];
+    division found{index, widest_side(ends)};
+    double most = 0;
+    for (const auto& row : ends.run.derivatives) {
+        std::vector<magnitude> widths;
+        magnitude sum;
+        for (std::size_t j = 0; j < row.size(); ++j) {
+            widths.push_back(magnitude::midpoint_of(row[j]) * radius_of(ends.box[j]));
+            sum += widths.back();
+        }
+        for (std::size_t j = 0; j < row.size() && sum.is_finite() && !sum.is_zero(); ++j) {
+            if (const double share = ratio_of_widths(widths[j], sum); share > most) {
+                most = share;
+                found.side = j;
+            }
+        }
+    }
+    return has_width(ends.box[found.side]) ? std::optional(found) : std::nullopt;
+}
+
+// How much wider the enclosure of a value is than its linear image, relative to the range of the whole box.
+double divided_box::excess_of(const part& of, std::size_t span, std::size_t value) const {
+    const enclosed_span& here = *of.run.spans[span];
+    magnitude linear;
+    for (std::size_t j = 0; j < of.box.size(); ++j) {
+        linear.add_product(magnitude::midpoint_of(here.derivatives[value][j]), radius_of(of.box[j]));
+    }
+    const double whole = log_of(width_of(spans_[span]->values[value]));
+    return std::exp2(log_of(width_of(here.values[value])) - whole) - std::exp2(log_of(linear) + 1 - whole);
+}
+
+// Of the parts that determine a bound of a value that is not monotone, the one with the largest excess, along the side
+// whose derivative is the least certain.
+std::optional<divided_box::division> divided_box::of_widest_part() const {
+    std::optional<division> found;
+    double most = negligible_excess;
+    for (std::size_t i = 0; i < spans_.size(); ++i) {
+        for (std::size_t k = 0; is_time(how_.spans[i]) && k < how_.of.names().size(); ++k) {
+            const closed_interval& whole = spans_[i]->values[k];
+            if (!has_width(whole) || is_monotone(spans_[i]->derivatives[k])) {
+                continue;
+            }
+            for (std::size_t p = 0; p < parts_.size(); ++p) {
+                const closed_interval& here = parts_[p].run.spans[i]->values[k];
+                const bool determines =
+                    !exactly_less(whole.lower, here.lower) || !exactly_less(here.upper, whole.upper);
+                if (const double excess = determines ? excess_of(parts_[p], i, k) : 0; excess > most) {
+                    most = excess;
+                    found = division{p, least_certain_side(parts_[p], i, k)};
+                }
+            }
+        }
+    }
+    return found;
+}
+
+std::size_t divided_box::least_certain_side(const part& of, std::size_t span, std::size_t value) const {
+    std::size_t found = widest_side(of);
+    magnitude largest;
+    for (std::size_t j = 0; j < whole_.size(); ++j) {
+        const auto width = magnitude::radius_of(of.run.spans[span]->derivatives[value][j]) * radius_of(of.box[j]);
+        if (largest < width) {
+            largest = width;
+            found = j;
+        }
+    }
+    return found;
+}
+
+}  // namespace libration::ode

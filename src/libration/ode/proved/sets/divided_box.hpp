@@ -1,0 +1,58 @@
+// A box of initial values and parameters in parts, each with the enclosures of its solutions.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "set_run.hpp"
+
+namespace libration::ode {
+
+/// The parts of a box and what their runs prove; how it is divided affects no proof.
+class divided_box {
+public:
+    /// Divides the whole box into at most so many parts, until all of them are complete and sharp.
+    divided_box(number_box whole, const set_run_request& how, std::size_t most_parts);
+
+    const number_box& whole() const { return whole_; }
+    std::size_t parts() const { return parts_.size(); }
+    /// Of all runs, also those of parts that were divided afterwards.
+    long steps() const { return steps_; }
+    /// Of all solutions of the box; std::nullopt for a span that not all parts reach.
+    const std::vector<std::optional<enclosed_span>>& spans() const { return spans_; }
+    /// The part that ends first, if one does.
+    const set_run_result* first_end() const;
+    const number_box& box_of_first_end() const;
+
+private:
+    struct part {
+        number_box box;
+        set_run_result run;
+    };
+    struct division {
+        std::size_t part = 0, side = 0;
+    };
+
+    part enclosed(const number_box& box);
+    void unite();
+    std::optional<std::size_t> index_of_first_end() const;
+    std::optional<division> next_division() const;
+    std::optional<division> of_ending_part() const;
+    std::optional<division> of_widest_part() const;
+    double excess_of(const part& of, std::size_t span, std::size_t value) const;
+    std::size_t widest_side(const part& of) const;
+    std::size_t least_certain_side(const part& of, std::size_t span, std::size_t value) const;
+
+    number_box whole_;
+    const set_run_request& how_;
+    std::vector<part> parts_;
+    std::vector<std::optional<enclosed_span>> spans_;
+    long steps_ = 0;
+};
+
+/// Whether a value is monotone in a number of the box, by its derivatives on the whole of it: 1 and -1 for increasing
+/// and decreasing ones, 2 for one that is constant, 0 if the sign is not decided.
+int direction_of(const ball& derivative);
+
+}  // namespace libration::ode

@@ -1,0 +1,53 @@
+// A problem with sets as a system with a box of initial values and free parameters.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "libration/ode/explicit_system.hpp"
+#include "libration/ode/rigorous/error_set.hpp"
+#include "number_box.hpp"
+
+namespace libration::ode {
+
+/// The sets of a problem are the numbers p of a box. Those on which the equations depend are unknowns of system(), which
+/// are constant; its initial values are functions S(p).
+class set_problem {
+public:
+    /// Throws error like enclosed_solutions.
+    explicit set_problem(const equation_system& given);
+
+    const explicit_system& system() const { return system_; }
+    /// The names of the sets: b, x(0).
+    const std::vector<std::string>& sets() const { return sets_; }
+    /// The indices in the state of system() of the unknowns of the problem and their lower derivatives, and their names.
+    const std::vector<std::size_t>& own() const { return own_; }
+    const std::vector<std::string>& names() const { return names_; }
+
+    /// Whether a set is more than one number.
+    bool is_wide(std::size_t set) const { return (upper_[set] - lower_[set]).sign() > 0; }
+    /// The whole box, each end rounded outwards to the working precision.
+    number_box box() const;
+    /// All initial states of a box: S(p) is in S(c) + DS (p - c), c its centre, DS over the whole box, which is convex.
+    /// Its first columns are those of the numbers with a width.
+    state_set states_of(const number_box& box) const;
+    /// DS over a box, a row for each unknown of system().
+    ball_matrix derivative_of_start(const number_box& box) const;
+
+private:
+    std::vector<ball> starts_at(const std::vector<ball>& numbers) const;
+    void read_starts(const equation_system& given);
+
+    std::vector<std::string> sets_;
+    std::vector<number> lower_, upper_;
+    std::vector<std::string> free_;  ///< the sets that are unknowns
+    explicit_system system_;
+    std::vector<expression> leaves_;  ///< which represent p
+    std::vector<expression> starts_;  ///< S, in leaves
+    std::vector<std::vector<expression>> derivatives_;
+    std::vector<std::size_t> own_;
+    std::vector<std::string> names_;
+};
+
+}  // namespace libration::ode
