@@ -19,6 +19,7 @@
 #include "motion/event_options.hpp"
 #include "motion/motion_cells.hpp"
 #include "motion/problem_events.hpp"
+#include "motion/set_options.hpp"
 #include "option/options.hpp"
 #include "option/output_place.hpp"
 #include "option/subcommand.hpp"
@@ -44,6 +45,7 @@ struct reference_options {
     output_options output;
     plot_axes plot;
     event_options events;
+    set_options sets;
     std::optional<std::string> digits, times, motions, columns, jobs, trace, certificate;
     bool check = false;
 };
@@ -287,6 +289,32 @@ int write_events(const reference_options& options, long digits) {
     return 0;
 }
 
+// Enclosures of all solutions: of sets of initial values and parameters, and over spans of time.
+int write_enclosures(const reference_options& options, const std::vector<family_member>& family, long digits) {
+    const char* const reason = "is not supported with sets of initial values and parameters, or --over";
+    refuse_motions(options);
+    require_no_times(options, reason);
+    require_no_certificate(options, reason);
+    if (options.check || options.plot.given()) {
+        throw input_error(fmt::format("{} {}: leave it out", options.check ? "--check" : "--plot", reason));
+    }
+    if (family.size() > 1) {
+        throw input_error("--set with a list of values " + std::string(reason) + ": give one value or one interval");
+    }
+    if (options.times == infinite_time) {
+        throw input_error("--times", infinite_time, reason, "write finite times");
+    }
+    ode::proof_route route;
+    route.integrator = options.integrator.choice();
+    const auto found = integrator_options::naming(
+        [&] { return options.sets.enclosures(family.front().problem, options.times, digits, route); });
+    if (found.has_output()) {
+        options.output.write(found.rows, found.text);
+    }
+    require_complete(found);
+    return 0;
+}
+
 asked_solution problem_of_options(const reference_options& options, const problem_options& problem, bool general) {
     refuse_motions(options);
     if (!options.times) {
@@ -366,8 +394,11 @@ int run_reference(const reference_options& options) {
     if (options.events.given(options.problem)) {
         return write_events(options, digits);
     }
-    const auto figure = options.plot.file(options.output);
     const auto family = options.problem.is_chosen() ? options.problem.family() : std::vector<family_member>(1);
+    if (options.sets.given(family.front().problem)) {
+        return write_enclosures(options, family, digits);
+    }
+    const auto figure = options.plot.file(options.output);
     if (family.size() > 1) {
         require_no_certificate(options, "is of one solution, and --set chooses " + std::to_string(family.size()));
     }
@@ -435,6 +466,7 @@ subcommand reference_command(CLI::App& program) {
         ->type_name("FILE");
     command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");
     options->events.add_to(*command);
+    options->sets.add_to(*command);
     command->add_flag("--check", options->check,
                       "compare with a second proof by another route, exit 1 if they disagree");
     return {command, [options] { return run_reference(*options); }};

@@ -1,0 +1,211 @@
+#include "motion/set_options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "equation/problem_trajectory.hpp"
+#include "libration/problem/axis.hpp"
+#include "libration/scalar/ball/decimal.hpp"
+#include "libration/scalar/ball/magnitude.hpp"
+#include "libration/scalar/ball/predicates.hpp"
+#include "run/ending_signal.hpp"
+#include "run/grid.hpp"
+#include "run/progress.hpp"
+#include "text/input_error.hpp"
+
+namespace libration {
+
+namespace {
+
+constexpr int most_parts_of_box = 1'000'000;
+constexpr long most_spans = 100'000;
+constexpr const char* remedy_for_spans = "write a span of times A:B, or A:B:N for N spans of the same length";
+
+// The digits of an end that resolve a thousandth of the width of its interval.
+long digits_of_end(const ball& end, const ball& width, long most) {
+    constexpr long least = 6;
+    constexpr double digits_of_width = 4;
+    if (contains_zero(width)) {
+        return most;
+    }
+    const double scale = (log_of(magnitude(end)) - log_of(magnitude(width))) / std::log2(10.0);
+    return std::min(most, std::max(least, static_cast<long>(std::ceil(std::max(scale, 0.0) + digits_of_width))));
+}
+
+std::string rounded_end(const ball& end, const ball& width, long most, mpfr_rnd_t rounding) {
+    const mpfr exactly = midpoint_of(end);
+    return exactly == 0 ? "0" : parts_of(exactly, digits_of_end(end, width, most), rounding).text();
+}
+
+// Decimals between which the interval lies.
+std::pair<std::string, std::string> outward_decimals(const ode::closed_interval& of, long most) {
+    const ball width = of.upper - of.lower;
+    return {rounded_end(of.lower, width, most, MPFR_RNDD), rounded_end(of.upper, width, most, MPFR_RNDU)};
+}
+
+// A line for each time or span, and one for each unknown.
+partial_table table_of_enclosures(const ode::set_enclosures& found, const std::vector<std::vector<std::string>>& times,
+                                  std::vector<column> columns, const std::vector<std::string>& typed, long digits) {
+    columns.insert(columns.end(), {{"unknown", ""}, {"lower", ""}, {"upper", ""}, {"rigour", ""}});
+    if (!typed.empty()) {
+        columns.push_back({"time_typed", ""});
+    }
+    partial_table result{table(std::move(columns)), "", "", found.missing, {}};
+    std::size_t width = std::string("time").size();
+    for (const std::string& name : found.names) {
+        width = std::max(width, name.size());
+    }
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        if (found.values[i].empty()) {
+            continue;
+        }
+        result.text += fmt::format("{}{:<{}}  {}\n", result.text.empty() ? "" : "\n", "time", width,
+                                   times[i].size() == 1 ? times[i].front() : times[i][0] + " to " + times[i][1]);
+        for (std::size_t k = 0; k < found.names.size(); ++k) {
+            const auto [lower, upper] = outward_decimals(found.values[i][k], digits);
+            result.text += fmt::format("{:<{}}  in [{}, {}]\n", found.names[k], width, lower, upper);
+            table_row_cells row;
+            for (const std::string& time : times[i]) {
+                row.push_back(number_cell(time));
+            }
+            row.insert(row.end(), {found.names[k], number_cell(lower), number_cell(upper), "proved"});
+            if (!typed.empty()) {
+                row.emplace_back(typed[i]);
+            }
+            result.rows.add_row(std::move(row));
+        }
+    }
+    return result;
+}
+
+std::string counted(std::size_t count, const std::string& one) {
+    return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
+}
+
+void state_parts(const ode::set_enclosures& found, const ode::equation_system& equations) {
+    const auto steps = counted(static_cast<std::size_t>(found.steps), "step");
+    if (equations.sets.empty()) {
+        say_line("the solution was enclosed in " + steps);
+        return;
+    }
+    const std::string faces = counted(found.faces, "face") + " of it";
+    say_line(fmt::format("the set of initial values and parameters was enclosed in {} and {}{}",
+                         counted(found.parts, "part"), steps,
+                         found.faces == 0 ? "" : ", and bounds of monotone values are those on " + faces));
+}
+
+ode::set_enclosures enclosures_of(const ode::equation_system& equations, const ode::set_request& request,
+                                  const ode::proof_route& route) {
+    progress shown("reference", progress_of_part::steps);
+    progress_of_part to(shown);
+    return ode::enclosed_solutions(
+        equations, request,
+        [&](const ball& reached, long bits) {
+            const precision_scope scope(20);
+            to.reached(midpoint_of(reached).convert_to<double>(), bits);
+            to(0);
+        },
+        route);
+}
+
+}  // namespace
+
+void set_options::add_to(CLI::App& command) {
+    command
+        .add_option("--over", over_,
+                    "with --problem: enclosures of the solution over all times from A to B, or over each of N spans "
+                    "of the same length")
+        ->type_name("A:B[:N]");
+    command
+        .add_option("--parts", parts_,
+                    "with sets, x(0) = [0.9, 1.1] or k = 1 +- 0.1: into at most how many parts they are divided "
+                    "(default 64)")
+        ->type_name("N");
+}
+
+bool set_options::given(const problem_options& problem) const {
+    const bool chosen = problem.is_chosen();
+    for (const auto& [option, value] : {std::pair("--over", over_), std::pair("--parts", parts_)}) {
+        if (value && !chosen) {
+            throw input_error(option, *value, "requires --problem", "add --problem P");
+        }
+    }
+    const bool sets = chosen && !problem.equations().sets.empty();
+    if (parts_ && !sets) {
+        throw input_error("--parts", *parts_, "applies to sets of initial values and parameters",
+                          "leave it out, or write one as x(0) = [0.9, 1.1]");
+    }
+    return sets || over_;
+}
+
+std::vector<exact> set_options::ends_of_spans() const {
+    const auto colons = std::ranges::count(*over_, ':');
+    if (colons != 1 && colons != 2) {
+        throw input_error("--over", *over_, "is not a span of times", remedy_for_spans);
+    }
+    const auto last = over_->rfind(':');
+    const std::string ends = colons == 1 ? *over_ : over_->substr(0, last);
+    const int count = colons == 1 ? 1 : reading("--over", *over_, remedy_for_spans, [&] {
+        return read_count(over_->substr(last + 1), most_spans);
+    });
+    if (count == 0) {
+        throw input_error("--over", *over_, "has no span", remedy_for_spans);
+    }
+    auto times =
+        reading("--over", *over_, remedy_for_spans, [&] { return read_grid(fmt::format("{}:{}", ends, count + 1)); });
+    if (std::ranges::any_of(times, [](const exact& time) { return time.is_angle() || time.has_periods(); })) {
+        throw input_error("--over", *over_, "has a time that is an angle or a period", remedy_for_spans);
+    }
+    const auto numbers = constants_of({times.front(), times.back()});
+    if ((numbers[1] - numbers[0]).sign() < 0) {
+        throw input_error("--over", *over_, "ends before it begins", "write the earlier time first");
+    }
+    return times;
+}
+
+std::size_t set_options::most_parts() const {
+    if (!parts_) {
+        return ode::set_request{}.most_parts;
+    }
+    const char* const remedy = "write a number of parts, 1 or more";
+    const int count = reading("--parts", *parts_, remedy, [&] { return read_count(*parts_, most_parts_of_box); });
+    if (count == 0) {
+        throw input_error("--parts", *parts_, "is less than 1", remedy);
+    }
+    return static_cast<std::size_t>(count);
+}
+
+partial_table set_options::enclosures(const problem_options& problem, const std::optional<std::string>& times,
+                                      long digits, const ode::proof_route& route) const {
+    if (over_ && times) {
+        throw input_error("--over", *over_, "is given together with --times", "leave one out");
+    }
+    if (!over_ && !times) {
+        throw input_error("no times are given: add --times LIST, or --over A:B for all times of a span");
+    }
+    const auto equations = problem.equations();
+    const auto given = over_ ? ends_of_spans() : times_of_problem(*times);
+    const auto numbers = constants_of(given);
+    ode::set_request request{.spans = {}, .most_parts = most_parts(), .digits = digits};
+    std::vector<std::vector<std::string>> decimals;
+    std::vector<std::string> typed;
+    for (std::size_t i = 0; i + (over_ ? 1 : 0) < given.size(); ++i) {
+        request.spans.push_back(over_ ? ode::time_span{numbers[i], numbers[i + 1]} : ode::at_time(numbers[i]));
+        decimals.push_back(over_ ? std::vector{decimal_of(given[i], digits), decimal_of(given[i + 1], digits)}
+                                 : std::vector{decimal_of(given[i], digits)});
+        if (!over_) {
+            typed.push_back(given[i].text);
+        }
+    }
+    const auto found = naming_option(problem.changes().empty() ? "--problem" : "--problem with --set",
+                                     [&] { return enclosures_of(equations, request, route); });
+    state_parts(found, equations);
+    return table_of_enclosures(
+        found, decimals, over_ ? std::vector<column>{{"from", ""}, {"to", ""}} : std::vector<column>{{"time", ""}},
+        typed, digits);
+}
+
+}  // namespace libration

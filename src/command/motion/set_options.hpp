@@ -1,0 +1,38 @@
+// The options of a command for enclosures of all solutions of a problem: of sets of initial values and parameters, and
+// over spans of time.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "equation/problem_options.hpp"
+#include "equation/solution_table.hpp"
+#include "libration/ode/proved/solution_sets.hpp"
+
+namespace libration {
+
+/// --over A:B:N, spans of time, and --parts N, the cost of enclosures.
+class set_options {
+public:
+    void add_to(CLI::App& command);
+    /// Whether enclosures are requested: by --over, or by a set in the problem. Throws input_error for the options
+    /// without a problem.
+    bool given(const problem_options& problem) const;
+    /// The enclosures of all solutions at the times, or over the spans if there are no times: a row for each time or
+    /// span and each unknown, time,unknown,lower,upper,rigour,time_typed or from,to,unknown,lower,upper,rigour, with
+    /// bounds rounded outwards to the resolution of their distance, at most so many digits. A line on stderr states the
+    /// parts. Throws input_error.
+    partial_table enclosures(const problem_options& problem, const std::optional<std::string>& times, long digits,
+                             const ode::proof_route& route) const;
+
+private:
+    std::vector<exact> ends_of_spans() const;
+    std::size_t most_parts() const;
+
+    std::optional<std::string> over_, parts_;
+};
+
+}  // namespace libration

@@ -1,0 +1,95 @@
+// Sets of initial values and parameters, and spans of time, on the command line.
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "command/printed.hpp"
+#include "command/refusal.hpp"
+
+namespace command_set_test {
+
+using namespace libration;
+using namespace libration::tests;
+
+TEST_CASE("reference prints bounds of all solutions of a set, rounded outwards", "[command][sets]") {
+    const auto rows =
+        rows_of({"reference", "--problem", "x' = -x; y' = y; x(0) = [0.9, 1.1]; y(0) = 1 +- 0", "--times", "1,1/3"});
+    REQUIRE(rows.size() == 4);
+    CHECK(rows[0].at("time") == "1");
+    CHECK(rows[0].at("unknown") == "x");
+    CHECK(rows[0].at("rigour") == "proved");
+    CHECK(rows[2].at("time_typed") == "1/3");
+    const precision_scope scope(100);
+    const mpfr lower = mpfr("0.9") * exp(mpfr(-1));
+    const mpfr upper = mpfr("1.1") * exp(mpfr(-1));
+    CHECK(number_of(rows[0].at("lower")) <= lower);
+    CHECK(number_of(rows[0].at("upper")) >= upper);
+    // A thousandth of the width.
+    CHECK(number_of(rows[0].at("lower")) > lower - (upper - lower) / 1000);
+    CHECK(number_of(rows[0].at("upper")) < upper + (upper - lower) / 1000);
+    CHECK(number_of(rows[1].at("lower")) < exp(mpfr(1)));
+    CHECK(number_of(rows[1].at("upper")) > exp(mpfr(1)));
+    // A single number in the digits of --digits, which the bounds differ in.
+    const auto one = rows_of({"reference", "--problem", "x' = x; x(0) = [1, 1]", "--time", "1", "--digits", "30"});
+    CHECK(significant_digits(one[0].at("lower")) == 30);
+    CHECK(number_of(one[0].at("lower")) < exp(mpfr(1)));
+    CHECK(number_of(one[0].at("upper")) > exp(mpfr(1)));
+    CHECK(number_of(one[0].at("upper")) - number_of(one[0].at("lower")) <= 2 * last_place(one[0].at("lower")));
+}
+
+TEST_CASE("reference --over prints bounds over spans of time", "[command][sets]") {
+    const auto rows = rows_of({"reference", "--problem", "x' = x; x(0) = 1", "--over", "0:1:4"});
+    REQUIRE(rows.size() == 4);
+    CHECK(rows[1].at("from") == "0.25");
+    CHECK(rows[1].at("to") == "0.5");
+    const precision_scope scope(100);
+    CHECK(number_of(rows[1].at("lower")) <= exp(mpfr("0.25")));
+    CHECK(number_of(rows[1].at("upper")) >= exp(mpfr("0.5")));
+    CHECK(number_of(rows[1].at("upper")) < exp(mpfr("0.501")));
+    const auto text = output_of({"reference", "--problem", "x' = x", "--set", "x(0) = [1,2]", "--over", "0:1"});
+    CHECK_THAT(text, Catch::StartsWith("time  0 to 1\nx     in [0.99"));
+}
+
+TEST_CASE("the parts of a set are stated on stderr, and what is known beyond the last time", "[command][sets]") {
+    const auto done = run_libration({"reference", "--problem", "x' = x^2; x(0) = [0.5, 1.5]", "--times", "0.5,1",
+                                     "--parts", "8", "--format", "csv"});
+    CHECK(done.exit_code == 1);
+    CHECK_THAT(done.err, Catch::Contains("was enclosed in 8 parts and "));
+    CHECK_THAT(done.err, Catch::Contains("time '1' is not reached by every solution: all of them are proved to exist "
+                                         "up to 0."));
+    CHECK(csv_rows(done.out).size() == 1);
+}
+
+TEST_CASE("what does not support sets says so in one line", "[command][sets]") {
+    const std::string set = "x' = -b*x; x(0) = 1; b = [1, 3]";
+    for (const words& line :
+         {words{"trajectory", "--problem", set, "--times", "1"},
+          words{"coefficients", "--problem", set, "--order", "3"}, words{"radius", "--problem", set, "--order", "9"},
+          words{"radius", "--problem", set, "--prove"}, words{"singularities", "--problem", set},
+          words{"find", "--problem", set, "--unknown", "x(0)", "--such-that", "x(1) = 1"},
+          words{"table", "--problem", set, "--times", "1"},
+          words{"reference", "--problem", set, "--until", "x = 1/2"}}) {
+        check_refused(line, {"'b' at line 1, column 22 is a set of values"});
+    }
+    for (const words& more : {words{"--check"}, words{"--plot", "t,x"}, words{"--certificate", "c.json"},
+                              words{"--trace", "steps.csv"}, words{"--derivatives", "b"}}) {
+        words line{"reference", "--problem", set, "--times", "1"};
+        line.insert(line.end(), more.begin(), more.end());
+        check_refused(line, {more.front(), "is not supported with sets"});
+    }
+    check_refused({"reference", "--problem", set, "--times", "inf"}, {"--times", "inf"});
+    check_refused({"reference", "--problem", set}, {"--times", "--over"});
+    check_refused({"reference", "--problem", set, "--set", "x(0) = 1,2", "--times", "1"}, {"--set", "list"});
+    check_refused({"reference", "--problem", set, "--times", "1", "--over", "0:1"}, {"--over", "--times"});
+    check_refused({"reference", "--problem", set, "--over", "1"}, {"--over", "'1'"});
+    check_refused({"reference", "--problem", set, "--over", "1:0"}, {"--over", "'1:0'"});
+    check_refused({"reference", "--problem", set, "--over", "0:1:0"}, {"--over", "'0:1:0'"});
+    check_refused({"reference", "--problem", set, "--times", "1", "--parts", "0"}, {"--parts", "'0'"});
+    check_refused({"reference", "--problem", "x' = x; x(0) = 1", "--times", "1", "--parts", "2"}, {"--parts", "'2'"});
+    check_refused({"reference", "--theta0", "1", "--omega0", "0", "--over", "0:1"}, {"--over", "--problem"});
+    check_refused({"reference", "--problem", "x' = x; x(0) = [2, 1]", "--times", "1"},
+                  {"'x(0)'", "the lower end first"});
+    check_refused({"reference", "--problem", "x' = x; x(0) = [2]", "--times", "1"}, {"is not an interval"});
+    check_refused({"reference", "--problem", "x' = -abs(x); x(0) = [1, 2]", "--times", "1"}, {"abs(x)"});
+}
+
+}  // namespace command_set_test
