@@ -19,11 +19,9 @@ by_integers() { "$build/libration-attack" print 10000 | "$python" "$tests/attack
 
 both_checkers() { # FOLDER
     local second=("$python" "$tests/certificates/second.py") certificates=("$1"/{pendulum,stiff,zeros,root}.cert)
-    "$build/libration" find --problem "x'' = -sin(x); x(0) = 1; x'(0) = 0" --unknown "x'(0)" --such-that "x(2) = 0" \
-        --digits 8 --certificate "$1/root.cert" >"$1/root.txt" &&
-        gcc -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all "$tests/../check/libration_check.c" -lgmp -lz \
-            -o "$1/sanitized" &&
-        "${second[@]}" --mutations 200 --seed 2 "$1/sanitized" "${certificates[@]}" &&
+    gcc -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all "$tests/../check/libration_check.c" -lgmp -lz \
+        -o "$1/sanitized" &&
+        "${second[@]}" --mutations 200 --seed 2 "$1/sanitized" "${certificates[@]}" "$1/orbit.cert" &&
         "${second[@]}" --mutations 2500 --attacks --conditions gcc "$build/libration-check" "${certificates[@]}"
 }
 
@@ -35,8 +33,11 @@ certificates() {
             --digits 6 --certificate "$folder/stiff.cert" &&
         "$build/libration" reference --problem "x'' = -x; x(0) = 0; x'(0) = 1" --until "x = 0" --count 2 --digits 6 \
             --certificate "$folder/zeros.cert" &&
-        "$python" "$tests/certificates/attack.py" --mutations 5000 "$folder/pendulum.cert" "$folder/stiff.cert" \
-            "$folder/zeros.cert"
+        "$build/libration" find --problem "x'' = -sin(x); x(0) = 1; x'(0) = 0" --unknown "x'(0)" \
+            --such-that "x(2) = 0" --digits 8 --certificate "$folder/root.cert" &&
+        "$build/libration" find --problem van_der_pol --periodic --digits 8 --certificate "$folder/orbit.cert" &&
+        "$python" "$tests/certificates/attack.py" --mutations 5000 "$folder"/{pendulum,stiff,zeros,root}.cert &&
+        "$python" "$tests/certificates/attack.py" --mutations 1000 "$folder"/{orbit,stiff}.cert
     status=$?
     ((status != 0)) || both_checkers "$folder" || status=1
     rm -r "$folder"
