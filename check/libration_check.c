@@ -991,7 +991,7 @@ typedef struct {  // c times the product of v, in equation i
 
 static List product_of(Product** known, const List* p, const int* v, long n) {
     for (Product* x = *known; x != NULL; x = x->before)
-        if (x->n == n && memcmp(x->v, v, (size_t)n * sizeof *v) == 0) return x->value;
+        if (x->n == n && (n == 0 || memcmp(x->v, v, (size_t)n * sizeof *v) == 0)) return x->value;
     Product* made = take(sizeof *made);
     *made = (Product){n, v, list(1), NULL};
     if (n == 0) mpz_set_ui(made->value.c, 1);
