@@ -675,7 +675,7 @@ FAULTS = [
     ),
     *in_file(
         "src/libration/ode/implicit/index_reduction.cpp", ["ode/algebraic_equations_test.cpp"],
-        ("explicit time left out of a total derivative", "expression sum = partial(of, variable());", "expression sum;"),
+        ("explicit time left out of a total derivative", "return partial(of, variable()) + derivative_along(", "return derivative_along("),
     ),
     *in_file(
         "src/libration/ode/rigorous/growth.cpp", ["ode/proved/stiff_test.cpp"],
@@ -820,8 +820,8 @@ FAULTS = [
     ),
     *in_file(
         "src/libration/ode/rigorous/certificate/varied_form.cpp", [CERTIFICATES],
-        ("derivatives without those of functions", "k < derivatives.size(); ++k) {\n        sum",
-         "k < std::min<std::size_t>(2, derivatives.size()); ++k) {\n        sum"),
+        ("derivatives without those of functions", "derivative_along(of.system.right()[i], of.leaves, derivatives)",
+         "derivative_along(of.system.right()[i], of.leaves, {derivatives.begin(), derivatives.begin() + given})"),
         ("the sign of a quotient's derivative", "return -(w * w);", "return w * w;"),
     ),
     *in_file(

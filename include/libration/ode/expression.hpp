@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "libration/scalar/expression.hpp"
 
@@ -166,6 +167,10 @@ expression replaced(const expression& in, const replacement& by);
 /// d e / d leaf with all other leaves fixed; the leaf is the variable, an unknown or one of its derivatives, or a
 /// parameter.
 expression partial(const expression& e, const expression& leaf);
+
+/// sum over k of directions[k] d e / d leaves[k]; further leaves are fixed.
+expression derivative_along(const expression& e, const std::vector<expression>& leaves,
+                            const std::vector<expression>& directions);
 
 /// The name with one prime per derivative: f''.
 std::string primed(const std::string& name, int derivative);

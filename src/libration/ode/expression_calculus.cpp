@@ -105,4 +105,16 @@ expression partial(const expression& e, const expression& leaf) {
     });
 }
 
+expression derivative_along(const expression& e, const std::vector<expression>& leaves,
+                            const std::vector<expression>& directions) {
+    expression sum;
+    for (std::size_t k = 0; k < directions.size(); ++k) {
+        const expression by = partial(e, leaves[k]);
+        if (!by.is(0)) {
+            sum = sum + by * directions[k];
+        }
+    }
+    return sum;
+}
+
 }  // namespace libration::ode

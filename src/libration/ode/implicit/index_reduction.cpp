@@ -19,11 +19,13 @@ expression total_derivative(const expression& of) {
             unknowns.emplace(primed(leaf.name(), leaf.derivative()), leaf);
         }
     });
-    expression sum = partial(of, variable());
+    std::vector<expression> leaves;
+    std::vector<expression> derivatives;
     for (const auto& [name, leaf] : unknowns) {
-        sum = sum + partial(of, leaf) * derivative(leaf);
+        leaves.push_back(leaf);
+        derivatives.push_back(derivative(leaf));
     }
-    return sum;
+    return partial(of, variable()) + derivative_along(of, leaves, derivatives);
 }
 
 std::size_t size_of_state(const std::vector<expression>& highest) {

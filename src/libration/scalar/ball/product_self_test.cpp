@@ -10,6 +10,7 @@
 #endif
 
 #include "libration/scalar/ball/product_check.hpp"
+#include "libration/scalar/ball/value.hpp"
 
 namespace libration {
 
@@ -61,6 +62,7 @@ bool multiplies_ones(integer_product by, slong terms, slong s, slong t) {
 }
 
 const product_state& flint_products() {
+    ball::working_bits();  // frees the memory of FLINT with the thread, which may compute with no ball
     // Per thread: with a shared one, other threads would wait indefinitely for a thread that a failure of FLINT keeps
     // in here.
     thread_local const product_state state = self_tested();

@@ -7,19 +7,6 @@ namespace libration::ode {
 
 namespace {
 
-// sum_k d e/d leaves[k] weights[k].
-expression derivative_along(const expression& e, const std::vector<expression>& leaves,
-                            const std::vector<expression>& weights) {
-    expression sum;
-    for (std::size_t k = 0; k < leaves.size(); ++k) {
-        const expression by = partial(e, leaves[k]);
-        if (!by.is(0)) {
-            sum = sum + by * weights[k];
-        }
-    }
-    return sum;
-}
-
 class extension {
 public:
     extension(const opened_system& open, const conditions_at_times& conditions, std::size_t pivot)

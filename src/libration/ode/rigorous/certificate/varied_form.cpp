@@ -46,15 +46,6 @@ expression slope_by_argument(const lifted_system& of, const expression& definiti
     return definition.function() == function_kind::sin ? leaf_of_added(of, cos(u)) : -leaf_of_added(of, sin(u));
 }
 
-expression derivative_along(const expression& of, const std::vector<expression>& leaves,
-                            const std::vector<expression>& derivatives) {
-    expression sum;
-    for (std::size_t k = 0; k < derivatives.size(); ++k) {
-        sum = sum + partial(of, leaves[k]) * derivatives[k];
-    }
-    return sum;
-}
-
 }  // namespace
 
 lifted_system with_derivatives(const lifted_system& of) {
