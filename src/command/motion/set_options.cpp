@@ -11,8 +11,8 @@
 #include "libration/scalar/ball/decimal.hpp"
 #include "libration/scalar/ball/magnitude.hpp"
 #include "libration/scalar/ball/predicates.hpp"
+#include "libration/scalar/text/grid.hpp"
 #include "run/ending_signal.hpp"
-#include "run/grid.hpp"
 #include "run/progress.hpp"
 #include "text/input_error.hpp"
 
