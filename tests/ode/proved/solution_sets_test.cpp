@@ -214,6 +214,7 @@ TEST_CASE("what is not a set of solutions is rejected with its place", "[ode][pr
         {"x' = x^b; x(0) = 1; b = [1, 2]", "exponent is not constant"},
         {"t*x'' + 2*x' + t*x = 0; x(0) = 1; x'(0) = 0; k = [1, 2]", "is singular at the initial point"},
         {"when x = 2: stop; x' = x; x(0) = [0, 1]", "is an event"},
+        {"x' = -x(t - 1); x(t <= 0) = 1; k = [0, 1]", "is delayed"},
         {"x' = z; 0 = z - k*x; k = [1, 2]; x(0) = 1", "algebraic equations"},
     };
     for (const auto& [text, told] : wrong) {

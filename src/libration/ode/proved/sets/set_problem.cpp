@@ -52,7 +52,7 @@ std::vector<std::string> sets_in_equations(const equation_system& given) {
     return found;
 }
 
-// Events and step functions would need the sets of solutions on each branch.
+// Events, step functions and delays would need the sets of solutions on each branch or piece.
 void require_one_branch(const equation_system& given) {
     const std::string reason =
         ", which enclosures of sets and over spans of time do not support: leave it out, or give numbers and times";
@@ -61,6 +61,10 @@ void require_one_branch(const equation_system& given) {
     }
     if (!given.steps.empty()) {
         refuse(given.steps.front().text, given.steps.front().at, "is piecewise" + reason);
+    }
+    if (!given.delays.empty()) {
+        const delayed_value& first = given.delays.front();
+        refuse(primed(first.of.name(), first.of.derivative()), first.at, "is delayed" + reason);
     }
 }
 
