@@ -434,14 +434,14 @@ FAULTS = [
          "static_cast<unsigned long>(degree) + 2);"),
     ),
     *in_file(
-        "src/libration/ode/rigorous/error_set.cpp", ["ode/proved/lifted_set_test.cpp"],
+        "src/libration/ode/rigorous/sets/error_set.cpp", ["ode/proved/lifted_set_test.cpp"],
         ("the added errors forgotten in those of an added unknown",
          "        added.add_product(magnitude(row[j]), added_[j]);", ""),
         ("an added unknown that does not depend on the given ones", "each.push_back(dot(row, each));",
          "each.push_back(ball(0));"),
     ),
     *in_file(
-        "src/libration/ode/rigorous/error_set.cpp", ["ode/proved/error_set_test.cpp"],
+        "src/libration/ode/rigorous/sets/error_set.cpp", ["ode/proved/error_set_test.cpp"],
         ("a frame inverted by its transpose alone", "const ball error = widened(ball(0), norm * magnitude(4U) / 3U);",
          "const ball error(0);"),
         ("what is added dropped", "            radius += magnitude(back[i][j]) * added_[j] * magnitude::of(1, -scale_of(j));\n", ""),
@@ -452,7 +452,7 @@ FAULTS = [
          "const bool is_zero = added_[i].is_zero();"),
     ),
     *in_file(
-        "src/libration/ode/rigorous/matrix/separate_columns.cpp", [SETS],
+        "src/libration/ode/rigorous/sets/separate_columns.cpp", [SETS],
         ("the remainder of a column dropped",
          "rounded.added_[i].add_product(magnitude(columns_[j][i] - rounded.columns_[j][i]), rounded.radii_[j]);", ""),
     ),
