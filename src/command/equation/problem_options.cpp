@@ -65,10 +65,14 @@ void require_values(const ode::equation_system& system, const std::string& words
             quotation(open.name), open.at.line, open.at.column, open.name,
             with_statement(words, open.name + " = NUMBER")));
     }
+    const auto is_delayed = [&](const std::string& name) {
+        return std::ranges::find(system.histories, name, &ode::history::unknown) != system.histories.end() ||
+               std::ranges::any_of(system.delays, [&](const auto& each) { return each.of.name() == name; });
+    };
     for (const std::string& name : system.unknowns()) {
         for (int order = 0; order < system.order_of(name); ++order) {
             const auto of = ode::unknown(name, order);
-            if (system.is_algebraic(name) ||
+            if (system.is_algebraic(name) || is_delayed(name) ||
                 std::ranges::any_of(system.starts, [&](const ode::start& s) { return same_form(s.of, of); })) {
                 continue;
             }

@@ -125,6 +125,11 @@ private:
 
 opened_system opened(const equation_system& given, const std::vector<std::string>& names,
                      const std::vector<expression>& others) {
+    if (!given.delays.empty()) {
+        const delayed_value& first = given.delays.front();
+        refuse(primed(first.of.name(), first.of.derivative()), first.at,
+               "is delayed, which is not supported for free numbers: leave it out");
+    }
     return opening(given, names).result(others);
 }
 
