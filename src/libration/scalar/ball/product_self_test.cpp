@@ -10,7 +10,6 @@
 #endif
 
 #include "libration/scalar/ball/product_check.hpp"
-#include "libration/scalar/ball/value.hpp"
 
 namespace libration {
 
@@ -27,6 +26,13 @@ void set_ones(fmpz& x, slong bits, int sign) {
     fmpz_sub_ui(&x, &x, 1);
     fmpz_mul_si(&x, &x, sign);
 }
+
+struct thread_cleanup {
+    thread_cleanup() = default;
+    thread_cleanup(const thread_cleanup&) = delete;
+    thread_cleanup& operator=(const thread_cleanup&) = delete;
+    ~thread_cleanup() { flint_cleanup(); }
+};
 
 product_state self_tested() {
     constexpr slong terms = 32;
@@ -62,7 +68,9 @@ bool multiplies_ones(integer_product by, slong terms, slong s, slong t) {
 }
 
 const product_state& flint_products() {
-    ball::working_bits();  // frees the memory of FLINT with the thread, which may compute with no ball
+    // A thread may call this without computing with balls, which free FLINT's memory with the thread.
+    thread_local const thread_cleanup at_end;
+    static_cast<void>(at_end);
     // Per thread: with a shared one, other threads would wait indefinitely for a thread that a failure of FLINT keeps
     // in here.
     thread_local const product_state state = self_tested();
