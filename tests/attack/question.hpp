@@ -42,6 +42,8 @@ outcome ask_algebraic(choices& next);
 outcome ask_jump(choices& next);
 outcome ask_branch(choices& next);
 outcome ask_limit(choices& next);
+outcome ask_delay(choices& next);
+outcome ask_set(choices& next);
 
 /// Stores the command of this thread's current question, and returns it; an empty one ends the question.
 std::string announce(std::string command);
