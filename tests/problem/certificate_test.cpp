@@ -57,7 +57,7 @@ TEST_CASE("the certificate of a root of two unknowns is proved", "[problem][cert
 // Functions of a start that is an interval, and a time before the initial point.
 TEST_CASE("the certificate of a root of an equation with functions is proved", "[problem][certificate]") {
     const auto proved =
-        checked_root("y' = k*exp(-y)/(2 + cos(t)) + sqrt(y); y(1) = 1; k = 1", {"k"}, {"y(1/2) = 1/2"}, 8);
+        checked_root("y' = k*exp(-y)/(2 + cos(t) + y) + sqrt(y); y(1) = 1; k = 1", {"k"}, {"y(1/2) = 1/2"}, 8);
     INFO(proved.out);
     CHECK(proved.exit_code == 0);
     CHECK(contains(proved.out, "y(1/2) = 1/2."));
