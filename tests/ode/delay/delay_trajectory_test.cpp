@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "libration/digits/proved/proved_decimals.hpp"
+#include "libration/ode/delay/proved/delay_errors.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/ode/proved/proved_march.hpp"
 #include "libration/scalar/ball/predicates.hpp"
@@ -252,6 +253,16 @@ TEMPLATE_TEST_CASE("arithmetic that rounds has the accuracy of its scalar", "[od
         // A rounding error in each of some 20 steps, of numbers below 2.
         CHECK(abs(mpfr(widen(found.states[i][0][0]) - exact)) < 64 * widen(epsilon<TestType>()));
     }
+}
+
+TEST_CASE("terms of a series that are left out are bounded", "[ode][delay]") {
+    // 1 + x + .. + x^9 at 1/2.
+    std::vector<ball> series(10, ball(1));
+    const magnitude rest = shorten_series(series, 3, magnitude(ball(1) / 2));
+    CHECK(series.size() == 4);
+    const ball exact = (ball(128) - ball(1)) / 512;  // 2^-3 + .. + 2^-9
+    CHECK(magnitude(exact) <= rest);
+    CHECK(rest <= magnitude(exact * 2));
 }
 
 }  // namespace ode_delay_trajectory_test

@@ -12,6 +12,17 @@
 
 namespace libration::ode {
 
+// The first terms of a series, with a 0 behind them. Returns a bound of the others up to the time `length`.
+inline magnitude shorten_series(std::vector<ball>& series, std::size_t count, const magnitude& length) {
+    magnitude rest;
+    for (std::size_t n = count; n < series.size(); ++n) {
+        rest.add_product(magnitude(series[n]), pow(length, n));
+    }
+    series.resize(count, ball(0));
+    series.emplace_back(0);
+    return rest;
+}
+
 // A step before its errors are known: the distance of its beginning from the initial point, its length, the state there,
 // and the known slopes with bounds of their errors.
 template <field R>
@@ -67,7 +78,10 @@ public:
         std::vector<known_series<ball>> known = step.known;
         std::vector<known_remainder> rest;
         for (std::size_t i = 0; i < known.size(); ++i) {
-            rest.push_back({known[i].unknown, step.slope_errors[i] + shorten(known[i].coefficients, length)});
+            rest.push_back(
+                {known[i].unknown,
+                 step.slope_errors[i] +
+                     shorten_series(known[i].coefficients, static_cast<std::size_t>(variations_->order()), length)});
         }
         length_ = step.length;
         return variations_->expand(step.time, state, known) && variations_->bound(length, rest);
@@ -115,18 +129,6 @@ public:
     }
 
 private:
-    // To the order of the variations. Returns a bound of the terms that are left out.
-    magnitude shorten(std::vector<ball>& series, const magnitude& length) const {
-        const auto count = static_cast<std::size_t>(variations_->order());
-        magnitude rest;
-        for (std::size_t n = count; n < series.size(); ++n) {
-            rest.add_product(magnitude(series[n]), pow(length, n));
-        }
-        series.resize(count, ball(0));
-        series.emplace_back(0);
-        return rest;
-    }
-
     error_set errors_;
     std::unique_ptr<stage_variations> variations_;
     ball length_;
