@@ -237,7 +237,7 @@ private:
         if (!open_.insert(id).second) {
             throw unsupported("initial values that depend on each other, as that of '" + id + "'");
         }
-        const formula value = initial_value(id, found->second);
+        formula value = initial_value(id, found->second);
         open_.erase(id);
         return value;
     }
@@ -252,7 +252,7 @@ private:
         if (!of.value) {
             throw unsupported("'" + id + "' without an initial value");
         }
-        const formula number{decimal_of(*of.value), *of.value < 0 ? binding::sum : binding::name};
+        formula number{decimal_of(*of.value), *of.value < 0 ? binding::sum : binding::name};
         if (of.species == nullptr) {
             return number;
         }
