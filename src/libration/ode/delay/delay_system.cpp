@@ -128,9 +128,8 @@ void delay_system::read_delays(parameter_values& parameters) {
     }
     delays_ = all;
     std::ranges::sort(delays_, [](const number& a, const number& b) { return (a - b).sign() < 0; });
-    const auto same =
-        std::ranges::unique(delays_, [](const number& a, const number& b) { return (a - b).sign() == 0; });
-    delays_.erase(same.begin(), same.end());
+    const auto is_same = [](const number& a, const number& b) { return (a - b).sign() == 0; };
+    delays_.erase(std::unique(delays_.begin(), delays_.end(), is_same), delays_.end());
     for (const number& each : all) {
         const auto found = std::ranges::find_if(delays_, [&](const number& d) { return (d - each).sign() == 0; });
         delayed_.push_back({0, static_cast<std::size_t>(found - delays_.begin())});
@@ -237,6 +236,7 @@ delay_stage delay_system::stage(std::size_t passed, const number& point, const s
 
 std::vector<std::string> names_of_state(const delay_system& system) {
     std::vector<std::string> names;
+    names.reserve(system.leaves().size());
     for (const expression& each : system.leaves()) {
         names.push_back(primed(each.name(), each.derivative()));
     }
