@@ -228,6 +228,7 @@ delay_stage delay_system::stage(std::size_t passed, const number& point, const s
         }
     }
     std::vector<expression> right;
+    right.reserve(unknowns.size());
     for (const expression& each : unknowns) {
         right.push_back(derivative_of_leaf(each.name(), solved));
     }
