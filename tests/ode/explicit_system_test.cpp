@@ -88,6 +88,11 @@ TEST_CASE("factors of the variable are singular starts", "[ode][explicit_system]
     const auto thomas_fermi = solved("y'' = y^(3/2)/sqrt(t); y(0) = 1; y'(0) = -1").singular();
     REQUIRE(thomas_fermi);
     CHECK(thomas_fermi->root == 2);
+    // The same equation as 2*y' + t*y'' + t*y = 0, multiplied by y.
+    const auto multiplied = solved("t*y*y'' + 2*y*y' + t*y^2 = 0; y(0) = 1; y'(0) = 0").singular();
+    REQUIRE(multiplied);
+    CHECK(multiplied->right[0].weights[0][1].fraction() == -2);
+    CHECK(solved("t*y' = 0; y(0) = 1").right()[0].is(0));
     CHECK_FALSE(solved("t*y'' + y = 0; y(1) = 1; y'(1) = 0").singular());
     CHECK_FALSE(solved("y'' = t*y; y(0) = 1; y'(0) = 0").singular());
 }
