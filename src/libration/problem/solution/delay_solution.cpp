@@ -4,11 +4,10 @@
 #include <iterator>
 
 #include "libration/digits/proved/printed_values.hpp"
-#include "libration/digits/proved/two_proofs.hpp"
 #include "libration/ode/delay/proved/delay_trajectory.hpp"
 #include "libration/problem/proved_answer.hpp"
 #include "libration/scalar/text/decimal.hpp"
-#include "progress_of_times.hpp"
+#include "states_at_times.hpp"
 
 namespace libration {
 
@@ -22,27 +21,13 @@ constexpr const char* not_with_delays = "is not supported for a problem with del
                 "has delays, for which only values at times are supported: use reference or trajectory");
 }
 
-void require_supported(const request& how) {
-    if (!how.derivatives.empty()) {
-        throw error(error_kind::argument, "derivatives", how.derivatives.front(),
-                    std::string(not_with_delays) + ": leave it out");
-    }
-    if (how.integrator == ode::integrator_choice::collocation) {
-        throw error(error_kind::argument, "integrator", "collocation",
-                    std::string(not_with_delays) + ": use automatic or taylor");
-    }
-    if (how.observer) {
-        throw error(error_kind::argument, "observer", "of steps", std::string(not_with_delays) + ": leave it out");
-    }
-}
-
 }  // namespace
 
 delay_solution::delay_solution(const ode::equation_system& equations)
     : solution(ode::names_of_state(ode::delay_system(equations))), system_(equations) {}
 
 answer delay_solution::states(const std::vector<exact>& times, const request& how) const {
-    require_supported(how);
+    require_plain_states(how, not_with_delays);
     std::vector<ode::number> at;
     std::ranges::transform(times, std::back_inserter(at), time_of_problem);
     const bool proves = how.scalar.kind == scalar_kind::proved || how.scalar.kind == scalar_kind::arbitrary;
@@ -55,15 +40,7 @@ answer delay_solution::proved_states(const std::vector<ode::number>& times, cons
     const auto found = ode::proved_part_of_delay(system_, times, digits, watch_of(system_.point(), times, how));
     if (how.check) {
         const auto other = ode::proved_part_of_delay(system_, times, digits + ode::more_digits_of_second_proof);
-        for (std::size_t i = 0; i < times.size(); ++i) {
-            for (std::size_t k = 0; k < std::min(found.states[i].size(), other.states[i].size()); ++k) {
-                const auto& a = found.states[i][k].decimal;
-                const auto& b = other.states[i][k].decimal;
-                if (a && b) {
-                    require_agreement(*a, *b, quantities()[k]);
-                }
-            }
-        }
+        require_agreement(found, other, quantities());
     }
     return answer_of(quantities(), found);
 }

@@ -5,14 +5,13 @@
 #include <utility>
 
 #include "libration/digits/proved/printed_values.hpp"
-#include "libration/digits/proved/two_proofs.hpp"
 #include "libration/ode/hybrid/proved/first_steps.hpp"
 #include "libration/ode/hybrid/proved/hybrid_trajectory.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/ode/trajectory.hpp"
 #include "libration/problem/proved_answer.hpp"
 #include "libration/scalar/text/decimal.hpp"
-#include "progress_of_times.hpp"
+#include "states_at_times.hpp"
 
 namespace libration {
 
@@ -49,17 +48,7 @@ hybrid_solution::hybrid_solution(ode::equation_system equations)
       first_(system_.first_equations(ode::steps_after_start(system_))) {}
 
 answer hybrid_solution::states(const std::vector<exact>& times, const request& how) const {
-    if (!how.derivatives.empty()) {
-        throw error(error_kind::argument, "derivatives", how.derivatives.front(),
-                    std::string(unsupported) + ": leave it out");
-    }
-    if (how.integrator == ode::integrator_choice::collocation) {
-        throw error(error_kind::argument, "integrator", "collocation",
-                    std::string(unsupported) + ": use automatic or taylor");
-    }
-    if (how.observer) {
-        throw error(error_kind::argument, "observer", "of steps", std::string(unsupported) + ": leave it out");
-    }
+    require_plain_states(how, unsupported);
     std::vector<ode::number> at;
     std::ranges::transform(times, std::back_inserter(at), time_of_problem);
     const bool proves = how.scalar.kind == scalar_kind::proved || how.scalar.kind == scalar_kind::arbitrary;
@@ -77,15 +66,7 @@ answer hybrid_solution::proved_states(const std::vector<ode::number>& times, con
         second.integrator = how.integrator;
         const auto other =
             ode::proved_part_of_hybrid(system_, times, digits + ode::more_digits_of_second_proof, {}, second);
-        for (std::size_t i = 0; i < times.size(); ++i) {
-            for (std::size_t k = 0; k < std::min(found.states[i].size(), other.states[i].size()); ++k) {
-                const auto& a = found.states[i][k].decimal;
-                const auto& b = other.states[i][k].decimal;
-                if (a && b) {
-                    require_agreement(*a, *b, quantities()[k]);
-                }
-            }
-        }
+        require_agreement(found, other, quantities());
     }
     return answer_of(quantities(), found);
 }
