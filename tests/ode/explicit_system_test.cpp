@@ -93,6 +93,12 @@ TEST_CASE("factors of the variable are singular starts", "[ode][explicit_system]
     REQUIRE(multiplied);
     CHECK(multiplied->right[0].weights[0][1].fraction() == -2);
     CHECK(solved("t*y' = 0; y(0) = 1").right()[0].is(0));
+    CHECK(solved("sin(t)*y' = 0; y(0) = 1").right()[0].is(0));
+    for (const char* const roots : {"sqrt(t)*y' = y; y(0) = 1", "(sqrt(t) + t)*y*y' = y^2; y(0) = 1"}) {
+        const auto found = solved(roots).singular();
+        REQUIRE(found);
+        CHECK(found->root == 2);
+    }
     CHECK_FALSE(solved("t*y'' + y = 0; y(1) = 1; y'(1) = 0").singular());
     CHECK_FALSE(solved("y'' = t*y; y(0) = 1; y'(0) = 0").singular());
 }

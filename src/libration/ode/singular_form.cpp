@@ -17,6 +17,12 @@ expression distance() { return parameter(distance_name); }
 
 bool is_distance(const expression& e) { return e.kind() == node_kind::parameter; }
 
+expression in_distance(const expression& e, const number& point) {
+    return replaced(e, [&](const expression& leaf) -> std::optional<expression> {
+        return leaf.kind() == node_kind::variable ? std::optional(distance() + expression(point)) : std::nullopt;
+    });
+}
+
 expression distance_power(const rational& r) { return pow(distance(), expression(r)); }
 
 /// s^exponent rest.
@@ -173,13 +179,11 @@ std::optional<singular_start> singular_form(const std::vector<unknown_function>&
                                             const std::vector<expression>& right, const number& point,
                                             start_values& values) {
     factoring factors(values);
-    std::vector<expression> in_distance;
+    std::vector<expression> shifted;
     std::vector<factored_form> forms;
     for (const expression& f : right) {
-        in_distance.push_back(replaced(f, [&](const expression& leaf) -> std::optional<expression> {
-            return leaf.kind() == node_kind::variable ? std::optional(distance() + expression(point)) : std::nullopt;
-        }));
-        forms.push_back(factors.of(in_distance.back()));
+        shifted.push_back(in_distance(f, point));
+        forms.push_back(factors.of(shifted.back()));
         factors.note(forms.back().exponent);
     }
     if (!factors.has_met_powers()) {
@@ -200,9 +204,28 @@ std::optional<singular_start> singular_form(const std::vector<unknown_function>&
                    "cannot be expanded about the initial point, because its right-hand side " + *reason +
                        ": choose another initial point");
         }
-        result.right.push_back({scaled, weights_of(in_distance[i], unknowns[i].order, unknowns, factors, values)});
+        result.right.push_back({scaled, weights_of(shifted[i], unknowns[i].order, unknowns, factors, values)});
     }
     return result;
+}
+
+bool has_isolated_zero(const expression& e, const number& point, start_values& values) {
+    constexpr int most_derivatives = 16;
+    factoring factors(values);
+    expression rest = factors.of(in_distance(e, point)).rest;
+    for (int k = 0; k < most_derivatives && !values.refusal_of(rest); ++k) {
+        if (values.value_of(rest).sign() != 0) {
+            return true;
+        }
+        const expression at_start = replaced(rest, [](const expression& leaf) {
+            return is_distance(leaf) ? std::optional(expression(0)) : std::nullopt;
+        });
+        if (!at_start.is(0) || factors.root() > 1) {
+            return false;
+        }
+        rest = partial(rest, distance());
+    }
+    return false;
 }
 
 }  // namespace libration::ode

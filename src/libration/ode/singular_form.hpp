@@ -16,6 +16,10 @@ std::optional<singular_start> singular_form(const std::vector<unknown_function>&
                                             const std::vector<expression>& right, const number& point,
                                             start_values& values);
 
+/// Whether e = (t - t0)^r g about the point t0 with g nonzero at the initial values, so that e vanishes at most there.
+/// Returns false if it cannot be decided.
+bool has_isolated_zero(const expression& e, const number& point, start_values& values);
+
 /// Throws error if the given coefficients do not satisfy the equations, or if unknowns have fractional powers below a
 /// derivative that the equations use. Decided over fractions if all numbers of the problem are fractions, otherwise
 /// with 60 digits, of which 30 must agree.

@@ -51,24 +51,6 @@ bool same_number(const number& a, const number& b) {
     return difference && difference->coefficient == 0;
 }
 
-// Whether an expression is (t - t0)^k g, k > 0, with g nonzero at the initial point.
-bool has_isolated_zero(expression e, const number& t0, start_values& values) {
-    constexpr int most = 16;
-    for (int k = 0; k < most; ++k) {
-        const expression there = replaced(e, [&](const expression& leaf) {
-            return leaf.kind() == node_kind::variable ? std::optional(expression(t0)) : std::nullopt;
-        });
-        if (!values.refusal_of(there) && values.value_of(there).sign() != 0) {
-            return k > 0;
-        }
-        if (!there.is(0)) {
-            return false;
-        }
-        e = partial(e, variable());
-    }
-    return false;
-}
-
 // Events and step functions need a sequence of smooth systems (hybrid/hybrid_system.hpp), delays a sequence of pieces
 // (delay/delay_system.hpp).
 void require_smooth(const equation_system& given) {
