@@ -621,7 +621,7 @@ FAULTS = [
         "src/libration/ode/hybrid/proved/states_around.cpp", ["ode/hybrid/states_around_test.cpp"],
         ("half of the ball of times", "magnitude::radius_of(times) * magnitude(2U)", "magnitude::radius_of(times)"),
         ("the first box", "inside = inside && contains(box[i], image[i]);", "inside = inside && true;"),
-        ("moved to the middle of the times", "to - times, form", "to - midpoint_alone(times), form"),
+        ("moved to the middle of the times", "to - times, form", "to - ball(midpoint_of(times)), form"),
         ("slopes of the states alone", "form.slopes_at(around, times));", "form.slopes_at(states, times));"),
     ),
     *in_file(

@@ -6,9 +6,10 @@
 
 BUILD is the folder of a build that has made liblibration.a and liblibration-proved.a, release for one. For each fault
 only the tests named beside it are compiled, and a source of the library where the fault is in one. A test catches a
-fault by failing, by a crash, by running SLOWER times as long as without it, or by not compiling. First the same tests
-have to pass as they are. Exit code: 0 where every fault is caught; 1 where one is not, or where a test fails without any; 2 where a
-fault cannot be planted, because its text does not stand in its file exactly once. --places checks only the latter.
+fault by failing, by a crash, by running SLOWER times as long as without it, or by a static assertion. First the same
+tests have to pass as they are. Exit code: 0 where every fault is caught; 1 where one is not or does not compile, or
+where a test fails without any; 2 where a fault cannot be planted, because its text does not stand in its file exactly
+once. --places checks only the latter.
 """
 
 import argparse
@@ -26,6 +27,7 @@ from faults import FAULTS  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LONGEST = 900  # seconds, of a test program without a fault
+ASSERTS = "static assertion failed"  # in messages of the compiler
 SLOWER, SHORTEST = 10, 60  # with one: so many times as long as without, and at least so many seconds
 LIBRARIES = ["-lhwy", "-lflint-arb", "-lflint", "-lmpfr", "-lgmp", "-lz", "-lquadmath"]
 
@@ -55,14 +57,15 @@ class Workshop:
         done = run(["g++", *flags(self.folder), *precompiled, "-c", self.folder / source, "-o", target])
         return done.returncode == 0, done.stderr
 
-    def failures(self, test, sources=()):
-        """The test cases of a file that fail, with so many sources of the library compiled anew before it."""
-        objects = []
-        for i, source in enumerate([pathlib.Path("tests") / test, *map(pathlib.Path, sources)]):
+    def failures(self, test, sources=(), kept=None):
+        """The test cases of a file that fail, with so many sources of the library compiled anew before it, and with the
+        kept object of the test if there is one."""
+        objects = [kept] if kept else []
+        for i, source in enumerate([*([] if kept else [pathlib.Path("tests") / test]), *map(pathlib.Path, sources)]):
             target = self.folder / f"{i}.o"
             fine, said = self.compile(source, target)
             if not fine:
-                return [f"{source} does not compile"], said
+                return [f"{source} {ASSERTS if ASSERTS in said else 'does not compile'}"], said
             objects.append(target)
         program = self.folder / "program"
         archives = [self.build / "liblibration-proved.a", self.build / "liblibration.a"]
@@ -72,6 +75,16 @@ class Workshop:
         if linked.returncode != 0:
             return [f"{test} does not link"], linked.stderr
         return self.run_tests(program, test)
+
+    def object_of(self, test):
+        """Where the object of a test without any fault is kept."""
+        return self.shared / (test.replace("/", "-") + ".o")
+
+    def failures_without_fault(self, test):
+        failed, said = self.failures(test)
+        if not failed:
+            (self.folder / "0.o").rename(self.object_of(test))
+        return failed, said
 
     def run_tests(self, program, test):
         begin = time.monotonic()
@@ -102,9 +115,12 @@ class Workshop:
         text = path.read_text()
         path.write_text(text.replace(fault.old, fault.new))
         sources = [*self.sources_with(path), *map(pathlib.Path, fault.sources)]
+        in_headers = path.suffix == ".hpp"  # which the test may include
         try:
             for test in fault.tests:
-                failed, _ = self.failures(test, sources)
+                failed, said = self.failures(test, sources, None if in_headers else self.object_of(test))
+                if failed and failed[0].endswith("does not compile"):
+                    raise SyntaxError(f"{fault.file}: {fault.what}:\n{said[-3000:]}")
                 if failed:
                     return failed
             return []
@@ -169,14 +185,21 @@ def main():
         free.put(Workshop(work / f"tree{i}", options.build.resolve(), work, limits))
 
     tests = sorted({test for fault in faults for test in fault.tests})
-    for test, (failed, said) in zip(tests, spread(options.jobs, [lambda w, t=t: w.failures(t) for t in tests], free)):
+    for test, (failed, said) in zip(tests, spread(options.jobs, [lambda w, t=t: w.failures_without_fault(t) for t in tests], free)):
         if failed:
             print(said[-3000:], f"without any fault: {failed}", sep="\n", file=sys.stderr)
             sys.exit(1)
     print(f"{len(faults)} faults, {len(tests)} files of tests, which pass without any", flush=True)
 
+    def catching(workshop, fault):
+        try:
+            return workshop.planted(fault)
+        except SyntaxError as problem:
+            print(problem, file=sys.stderr)
+            return []
+
     missed = 0
-    for fault, caught in zip(faults, spread(options.jobs, [lambda w, f=f: w.planted(f) for f in faults], free)):
+    for fault, caught in zip(faults, spread(options.jobs, [lambda w, f=f: catching(w, f) for f in faults], free)):
         missed += not caught
         where = fault.file.removeprefix("include/libration/").removeprefix("src/libration/")
         more = f" and {len(caught) - 1} more" if len(caught) > 1 else ""
