@@ -4,9 +4,9 @@
 //   stdin    version                                   asks for name and version of the library, nothing else
 //   stdin    limit L                                   evaluations of the right sides that a run may take
 //            steps K, then K of: kind left right constant numerator denominator
-//            states N, then N of: its step, the step of its slope, its start
+//            states N, then N of: its step, the step of its slope, its start, its scale
 //            times M t0, then t_1 .. t_M
-//            runs R, then R of: method tolerance
+//            runs R, then R of: method tolerance, relative and, times the scale of a state, absolute
 //   stdout   for each run: ended|stopped|failed evaluations, then M N values, time by time, where it ended
 //
 // The steps are elementary operations whose operands are steps before them, as studies/proved/solver_peers.hpp writes
@@ -129,6 +129,7 @@ public:
     std::vector<std::size_t> state;
     std::vector<std::size_t> slope;
     std::vector<double> start;
+    std::vector<double> scale;
     double begin = 0;
     std::vector<double> times;
     long limit = 0;
@@ -179,6 +180,7 @@ inline equations read_equations() {
         result.state.push_back(at);
         result.slope.push_back(slope);
         result.start.push_back(read_number());
+        result.scale.push_back(read_number());
     }
     result.times.resize(read_count("times"));
     result.begin = read_number();

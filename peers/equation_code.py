@@ -44,8 +44,9 @@ class Equations:
                 lines.append("v%d = %s(v%s)" % (k, kind, a))
             elif kind not in ("state", "nothing"):
                 lines.append("v%d = %s" % (k, FORMS[kind].format(a=a, b=b, k=k, n=n, d=d)))
-        states = [(next(words), next(words), real()) for _ in range(counted("states"))]
+        states = [(next(words), next(words), real(), real()) for _ in range(counted("states"))]
         self.start = [number(state[2]) for state in states]
+        self.scale = [number(state[3]) for state in states]
         times = counted("times")
         self.begin = number(real())
         self.times = [number(real()) for _ in range(times)]

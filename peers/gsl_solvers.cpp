@@ -28,9 +28,10 @@ void solve(peers::equations& of, const std::string& method, double tolerance, st
         throw peers::no_answer();
     }
     gsl_odeiv2_system system{slopes, jacobian, of.size(), &of};
-    const double first = (of.times.back() - of.begin) * 1e-4;
+    const double first = (of.times.front() - of.begin) * 1e-3;
     const std::unique_ptr<gsl_odeiv2_driver, void (*)(gsl_odeiv2_driver*)> driver(
-        gsl_odeiv2_driver_alloc_y_new(&system, type, first, tolerance, tolerance), gsl_odeiv2_driver_free);
+        gsl_odeiv2_driver_alloc_scaled_new(&system, type, first, tolerance, tolerance, 1, 0, of.scale.data()),
+        gsl_odeiv2_driver_free);
     double t = of.begin;
     std::vector<double> y = of.start;
     for (const double end : of.times) {

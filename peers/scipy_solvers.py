@@ -21,7 +21,7 @@ warnings.simplefilter("ignore")  # a step that is too small is told by its outco
 def solve(equations, method, tolerance):
     found = solve_ivp(
         equations, (equations.begin, equations.times[-1]), equations.start, method=method, t_eval=equations.times,
-        rtol=tolerance, atol=tolerance)
+        rtol=tolerance, atol=tolerance * numpy.array(equations.scale))
     good = found.success and numpy.isfinite(found.y).all() and found.y.shape[1] == len(equations.times)
     return found.y.T.tolist() if good else None
 

@@ -6,6 +6,7 @@
 #include <sunmatrix/sunmatrix_dense.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "equation_code.hpp"
@@ -22,6 +23,7 @@ void silent(int, const char*, const char*, char*, void*) {}
 struct run_of_cvode {
     SUNContext context = nullptr;
     N_Vector y = nullptr;
+    N_Vector tolerances = nullptr;
     SUNMatrix matrix = nullptr;
     SUNLinearSolver linear = nullptr;
     SUNNonlinearSolver fixed_point = nullptr;
@@ -35,6 +37,7 @@ struct run_of_cvode {
         SUNNonlinSolFree(fixed_point);
         SUNLinSolFree(linear);
         SUNMatDestroy(matrix);
+        N_VDestroy(tolerances);
         N_VDestroy(y);
         SUNContext_Free(&context);
     }
@@ -55,11 +58,14 @@ void solve(peers::equations& of, const std::string& method, double tolerance, st
     run_of_cvode run;
     run.y = N_VNew_Serial(size, run.context);
     std::copy(of.start.begin(), of.start.end(), N_VGetArrayPointer(run.y));
+    run.tolerances = N_VNew_Serial(size, run.context);
+    std::transform(of.scale.begin(), of.scale.end(), N_VGetArrayPointer(run.tolerances),
+                   [&](double scale) { return tolerance * scale; });
     run.memory = CVodeCreate(stiff ? CV_BDF : CV_ADAMS, run.context);
     require(CVodeInit(run.memory, slopes, of.begin, run.y));
     require(CVodeSetErrHandlerFn(run.memory, silent, nullptr));
     require(CVodeSetUserData(run.memory, &of));
-    require(CVodeSStolerances(run.memory, tolerance, tolerance));
+    require(CVodeSVtolerances(run.memory, tolerance, run.tolerances));
     require(CVodeSetMaxNumSteps(run.memory, of.limit));
     if (stiff) {
         run.matrix = SUNDenseMatrix(size, size, run.context);

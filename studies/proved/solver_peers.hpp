@@ -23,16 +23,21 @@ struct solver_peer {
     std::string program;  ///< peers/
     std::string package;  ///< Debian package that it requires
     std::vector<std::string> methods;
-    long most_evaluations = 200'000;  ///< of the right-hand side, in one run
+    std::vector<std::string> implicit_methods;  ///< those for stiff problems
+    long most_evaluations = 200'000;            ///< of the right-hand side, in one run
 };
 
 inline const std::vector<solver_peer>& solver_peers() {
     static const std::vector<solver_peer> all{
-        {"odeint", "libration-odeint-solvers", "libboost1.81-dev", {"dopri5", "rkf78", "bulirsch-stoer"}},
-        {"gsl", "libration-gsl-solvers", "libgsl-dev", {"rkf45", "rk8pd", "msadams", "msbdf"}},
-        {"sundials", "libration-sundials-solvers", "libsundials-dev", {"cvode-adams", "cvode-bdf"}},
-        {"scipy", "scipy_solvers.py", "python3-scipy", {"RK45", "DOP853", "LSODA", "Radau", "BDF"}},
-        {"mpmath", "mpmath_solvers.py", "python3-mpmath", {"odefun"}, 20'000}};
+        {"odeint", "libration-odeint-solvers", "libboost1.81-dev", {"dopri5", "rkf78", "bulirsch-stoer"}, {}},
+        {"gsl", "libration-gsl-solvers", "libgsl-dev", {"rkf45", "rk8pd", "msadams", "msbdf"}, {"msbdf"}},
+        {"sundials", "libration-sundials-solvers", "libsundials-dev", {"cvode-adams", "cvode-bdf"}, {"cvode-bdf"}},
+        {"scipy",
+         "scipy_solvers.py",
+         "python3-scipy",
+         {"RK45", "DOP853", "LSODA", "Radau", "BDF"},
+         {"LSODA", "Radau", "BDF"}},
+        {"mpmath", "mpmath_solvers.py", "python3-mpmath", {"odefun"}, {}, 20'000}};
     return all;
 }
 
@@ -48,21 +53,24 @@ inline std::optional<std::string> version_of(const solver_peer& peer) {
 }
 
 /// The input of a solver in double for y' = f(t, y): elementary operations, initial values and times, each number
-/// rounded to the nearest double.
+/// rounded to the nearest double, and the scale of each unknown, by which its absolute tolerance is multiplied.
 class solver_input {
 public:
-    solver_input(const ode::explicit_system& of, const std::vector<ode::number>& times)
+    solver_input(const ode::explicit_system& of, const std::vector<ode::number>& times, std::vector<double> scales = {})
         : tape_(ode::tape::about_points(of)) {
         text_ = fmt::format("steps {}\n", tape_.steps().size());
         for (std::size_t k = 0; k < tape_.steps().size(); ++k) {
             add_step(k);
         }
         text_ += fmt::format("states {}\n", tape_.states().size());
-        for (const ode::tape_state& state : tape_.states()) {
+        scales.resize(tape_.states().size(), 1);
+        for (std::size_t i = 0; i < scales.size(); ++i) {
+            const ode::tape_state& state = tape_.states()[i];
             const auto unknown = static_cast<std::size_t>(state.unknown);
             const bool highest = state.derivative + 1 == tape_.orders()[unknown];
-            text_ += fmt::format("{} {} {:a}\n", state.step, highest ? tape_.outputs()[unknown] : next_of(state).step,
-                                 rounded(tape_.starts()[unknown][static_cast<std::size_t>(state.derivative)]));
+            text_ +=
+                fmt::format("{} {} {:a} {:a}\n", state.step, highest ? tape_.outputs()[unknown] : next_of(state).step,
+                            rounded(tape_.starts()[unknown][static_cast<std::size_t>(state.derivative)]), scales[i]);
         }
         text_ += fmt::format("times {} {:a}\n", times.size(), rounded(tape_.point()));
         for (const ode::number& time : times) {

@@ -205,7 +205,8 @@ TEST_CASE("the sets of reproduce: the paper's is fixed, and one that there is no
     const temporary_folder folder;
     const finished_process proved = run_libration(
         {"reproduce", "proved", "--skip",
-         "complex_plane,error_norm,published,reference_problems,scenarios,sir_radius,solvers,stiff", "--jobs", "2"},
+         "complex_plane,error_norm,published,reference_problems,scenarios,sir_radius,solvers,stiff,stiff_solvers",
+         "--jobs", "2"},
         folder.path());
     INFO(proved.err);
     CHECK(proved.exit_code == 0);

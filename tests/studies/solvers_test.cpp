@@ -101,6 +101,48 @@ TEST_CASE("a peer stops at its limit of evaluations", "[studies][proved][solvers
     }
 }
 
+// y = x/10^9: an absolute tolerance of 10^-6 leaves y almost free. BDF of order 5 at most loses two digits here.
+TEST_CASE("the absolute tolerance of an unknown is relative to its scale", "[studies][proved][solvers]") {
+    const ode::explicit_system system(ode::parse("x' = -x; y' = -y; x(0) = 1; y(0) = 1e-9"));
+    const std::vector<ode::number> times{ode::number(rational(3))};
+    const studies::proved::solver_input scaled(system, times, {1, 1e-9});
+    const studies::proved::solver_input unscaled(system, times);
+    for (const solver_peer& peer : studies::proved::solver_peers()) {
+        if (!studies::proved::version_of(peer)) {
+            continue;
+        }
+        for (const std::string& method : peer.implicit_methods) {
+            INFO(peer.name << " " << method);
+            const auto error_of = [&](const studies::proved::solver_input& problem) {
+                const auto answers = studies::proved::answers_of(peer, problem, 1, {{method, "1e-6"}});
+                REQUIRE(answers[0].outcome == "ended");
+                return std::abs(answers[0].values[1] * 1e9 - std::exp(-3.0));
+            };
+            CHECK(error_of(scaled) < 1e-4);
+            CHECK(error_of(scaled) <= error_of(unscaled));
+        }
+    }
+}
+
+// Linear, with eigenvalues of different sizes. GSL answers where it is installed.
+TEST_CASE("stiff problems are solved by implicit methods alone", "[studies][proved][solvers]") {
+    const auto rows = rows_by_suffix("stiff_solvers",
+                                     {{"--problems", "stiff_b4"}, {"--solvers", "gsl"}, {"--tolerances", "1e-4,1e-9"}});
+    const auto& all = rows.at("");
+    REQUIRE(!all.empty());
+    if (all[0].at("outcome") == "not installed") {
+        return;
+    }
+    REQUIRE(all.size() == 2);
+    for (const auto& row : all) {
+        CHECK(row.at("method") == "msbdf");
+        CHECK(row.at("outcome") == "ended");
+        CHECK(row.at("rounding").empty());
+    }
+    CHECK(std::stod(all[0].at("error")) < 1e-6);
+    CHECK(std::stod(all[0].at("error")) < std::stod(all[1].at("error")) / 100);
+}
+
 // y = 1/(1 + e^-t): errors are measured from the truth, whose largest value is y(20), next to 1.
 TEST_CASE("solvers get better with their tolerance, and cost more", "[studies][proved][solvers]") {
     const auto rows = rows_by_suffix(
