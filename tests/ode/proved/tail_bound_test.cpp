@@ -69,6 +69,30 @@ void check_bound(const bounded& of, const magnitude& radius, const std::function
 
 }  // namespace
 
+// u_1' = u_1 and u_i' = u_(i-1) from 1, 0, .., 0: u_i = sum_(k >= i-1) t^k/k!. Beyond u_(N+1) all coefficients up to
+// t^N vanish, and so do the first defects.
+TEST_CASE("theorem T bounds long chains of unknowns", "[ode][proved]") {
+    constexpr int size = 100;
+    const precision_scope scope(60);
+    std::string text = "u1' = u1; u1(0) = 1";
+    std::vector<ball> start{ball(1)};
+    for (int i = 2; i <= size; ++i) {
+        text += "; u" + std::to_string(i) + "' = u" + std::to_string(i - 1) + "; u" + std::to_string(i) + "(0) = 0";
+        start.emplace_back(0);
+    }
+    const bounded chain(text, 10, start);
+    const magnitude radius = part(50);
+    const auto bound = chain.within(radius);
+    REQUIRE(bound.has_value());
+    ball term = ball(1);
+    for (int i = 2; i <= size; ++i) {
+        term = term * radius.exact() / (i - 1);
+        if (i > 12) {  // the first term of u_i is below its sum
+            CHECK(!certainly_less(bound->at(static_cast<std::size_t>(i - 1), radius).exact(), term));
+        }
+    }
+}
+
 // All coefficients are positive, so that at t = +rho nothing cancels; the first error is rho^(N+1)/(N+1)! (1 +
 // rho/(N+2) + ..), and the bound has rho/(N+2) in each term: for rho much below N it is the truth up to (rho/N)^2,
 // which shows any other denominator.
