@@ -687,6 +687,10 @@ FAULTS = [
         "src/libration/ode/rigorous/tube_proof.cpp", ["ode/proved/stiff_test.cpp"],
         ("the set at the beginning of a tube forgotten", "old(i, j) = shifted(errors.columns()[j][i], -of.scales[i]);",
          "old(i, j) = ball(0);"),
+        ("the bound of a frame's inverse dropped", "known.correction = std::move(*correction);",
+         "known.correction = bound_matrix(known.size * known.size);"),
+        ("an approximate inverse taken for exact at the beginning",
+         "    beside = sum_of_bounds(beside, product_of_bounds(correction, beside, n, 1));\n", ""),
     ),
     *in_file(
         "src/libration/ode/rigorous/tube_proof.cpp", ["ode/proved/stiff_events_test.cpp"],

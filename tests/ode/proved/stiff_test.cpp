@@ -214,6 +214,36 @@ TEST_CASE("the bound of a defect of constant sign is sharp", "[ode][proved]") {
     }
 }
 
+// The same distances in a frame V = 1 with W = 7/8 for its inverse: |W V - 1| = 1/8. By a defect, x' = 1 + e for x' = 1,
+// and by a start that is e away from the curve x = t.
+TEST_CASE("an inverse of a frame that is only approximate is corrected", "[ode][proved]") {
+    const precision_scope scope(60);
+    const polynomial_map map(lifted(explicit_system(parse("x' = 1; x(0) = 0"))));
+    const ball e = pow(ball(2), -60L);
+    const ball half = pow(ball(2), -1L);
+    const moving_frame frame{{{ball(1)}}, {{ball(7) * pow(ball(2), -3L)}}, {1}, 1};
+    const auto set_at = [](const ball& x) { return tube_set{{{x}, error_set({}, {}, {}, {magnitude()})}, 0}; };
+    const auto at_end = [&](const ball& slope, const ball& start) {
+        const ball part = slope * half;  // of 1 + x, -1 <= x <= 1
+        const tube_candidate candidate{{ball(0), ball(1)}, {0}, {{part, part}}, frame};
+        std::vector<ball> ends;
+        for (const auto by : {supremum_rule::coefficients, supremum_rule::nodes}) {
+            const auto tube = tube_proof(map, 200, 200, 200).tube(candidate, set_at(start), by);
+            REQUIRE(tube);
+            ends.push_back(tube->values_at(ball(1))[0]);
+        }
+        return ends;
+    };
+    for (const ball& end : at_end(ball(1) + e, ball(0))) {
+        CHECK(arb_contains_si(end.handle(), 1) != 0);
+        CHECK(certainly_less(radius_of(end), e * ball(2)));
+    }
+    for (const ball& end : at_end(ball(1), e)) {
+        CHECK(contains_zero(end - ball(1) - e));
+        CHECK(certainly_less(radius_of(end), e * ball(2)));
+    }
+}
+
 TEST_CASE("collocation is left alone where it is of no use", "[ode][proved]") {
     for (const char* text : {"y' = -y; y(0) = 1", "y' = y; y(0) = 1", "x' = y; y' = -x; x(0) = 1; y(0) = 0",
                              "x' = 10*(y-x); y' = x*(28-z)-y; z' = x*y-8/3*z; x(0)=1; y(0)=1; z(0)=1"}) {
