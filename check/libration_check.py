@@ -30,15 +30,15 @@ def scaled(a, c): return [c * x for x in a]
 def add(a, b):
     return [x + y for x, y in zip(a + [0] * (len(b) - len(a)), b + [0] * (len(a) - len(b)))]
 def dot(u, v):
-    """The sum of u[i] v[i], by products of values at z = 2^w, w so large that the coefficients can be read off."""
+    """The sum of u[i] v[i], by products of values at z = 256^w, w so large that the coefficients can be read off."""
     pairs = [(a, b) for a, b in zip(u, v) if any(a) and any(b)]
     n = max((len(a) + len(b) for a, b in pairs), default=1) - 1
-    w = sum(norm(a) * norm(b) for a, b in pairs).bit_length() + 2
-    half, total = 1 << w - 1, sum(1 << w * i + w - 1 for i in range(2 * n - 1))
-    for a, b in pairs:
-        x, y = [sum(c << w * i for i, c in enumerate(f[:0:-1] + f)) for f in (a, b)]
-        total += x * y << w * (n - len(a) - len(b) + 1)
-    return [(total >> w * i & 2 * half - 1) - half for i in range(n - 1, 2 * n - 1)]
+    w = (sum(norm(a) * norm(b) for a, b in pairs).bit_length() + 9) // 8
+    half, halves = 1 << 8 * w - 1, lambda k: int.from_bytes((bytes(w - 1) + b"\x80") * k, "little")    # half sum_i z^i
+    def at_z(f): return int.from_bytes(b"".join((c + half).to_bytes(w, "little") for c in f), "little") - halves(len(f))
+    total = sum(at_z(a[:0:-1] + a) * at_z(b[:0:-1] + b) << 8 * w * (n + 1 - len(a) - len(b)) for a, b in pairs)
+    digits = (total + halves(2 * n - 1)).to_bytes(w * max(2 * n - 1, 0), "little")
+    return [int.from_bytes(digits[w * i:w * i + w], "little") - half for i in range(n - 1, 2 * n - 1)]
 
 DERIVATIVES = {"exp": "w", "log": "1/u", "sin": "cos(u)", "cos": "-sin(u)"}
 OPERATORS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Pow: "^"}
