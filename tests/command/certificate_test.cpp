@@ -2,6 +2,7 @@
 // printed values from the file, and refuses it if a digit is changed.
 #include <catch2/catch.hpp>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 
 #include "certificates/checked.hpp"
@@ -36,6 +37,21 @@ TEST_CASE("the values of a certificate are proved by the checker", "[command][re
     const auto also = checked(folder.path() / "a.cert");
     INFO(also.out);
     CHECK(also.exit_code == 0);
+}
+
+// The jump at t = 0.807 takes 1e-5, and x' is 7e5 there: after it the rounding of a step must not keep steps as short.
+TEST_CASE("a relaxation oscillation has a certificate beyond its jump", "[command][reference][certificate]") {
+    const temporary_folder folder;
+    const auto done = run_libration({"reference", "--problem", "x' = z; z' = 1e6*((1 - x^2)*z - x); x(0) = 2; z(0) = 0",
+                                     "--time", "1", "--digits", "20", "--certificate", "a.cert"},
+                                    folder.path());
+    INFO(done.err);
+    REQUIRE(done.exit_code == 0);
+    CHECK(std::filesystem::file_size(folder.path() / "a.cert") < 40'000);
+    const auto proved = checked(folder.path() / "a.cert");
+    INFO(proved.out);
+    CHECK(proved.exit_code == 0);
+    CHECK(contains(proved.out, "x(1) lies in [-1.86364625480813388"));
 }
 
 TEST_CASE("a changed certificate is refused by the checker", "[command][reference][certificate]") {

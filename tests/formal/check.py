@@ -17,7 +17,7 @@ EXAMPLES = {
     "tangent": ("y' = 1 + y^2; y(0) = 0", "--time", "1", "--digits", "30"),
     "lorenz_2": ("lorenz", "--time", "2", "--digits", "20"),
     "pendulum": ("pendulum", "--time", "10", "--digits", "20"),
-    "van_der_pol_1e3": ("x'' = ((1 - x^2)*x' - x)/e; x(0) = 2; x'(0) = 0; e = 1/1000", "--time", "1/2", "--digits", "20"),
+    "van_der_pol_1e6": ("x'' = ((1 - x^2)*x' - x)/e; x(0) = 2; x'(0) = 0; e = 1/1000000", "--time", "1", "--digits", "20"),
     "robertson_40": ("robertson", "--time", "40", "--digits", "20"),
     "robertson_1e11": ("robertson", "--time", "1e11", "--digits", "20"),
     "lorenz_10": ("lorenz", "--time", "10", "--digits", "20"),

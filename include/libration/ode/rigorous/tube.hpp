@@ -72,4 +72,7 @@ private:
     ball place_of(const ball& distance) const;
 };
 
+/// The end of a curve of scaled unknowns (solution_tube), each unknown rounded to the working precision.
+std::vector<ball> end_of(const std::vector<ball_polynomial>& curve, const std::vector<long>& scales);
+
 }  // namespace libration::ode

@@ -65,7 +65,7 @@ struct collocation_integrator::parts {
     // True if the step of the present length is proved; otherwise changes the length.
     bool attempt() {
         const step_interval on{time, next};
-        const auto ended = solver->solve(on, set, floors());
+        const auto ended = solver->solve(on, aimed, floors());
         if (ended != collocation_solver::outcome::solved) {
             change_length(ended == collocation_solver::outcome::too_long ? length_growth::reduction(solver->factor())
                                                                          : 0.5);
@@ -79,6 +79,8 @@ struct collocation_integrator::parts {
             return false;
         }
         tube = std::move(*proved);
+        const precision_scope scope(decimal_digits(accuracy.product_bits));
+        found_end = end_of(candidate->curve, candidate->scales);
         growth.accept(factor);
         return true;
     }
@@ -94,6 +96,10 @@ struct collocation_integrator::parts {
     std::unique_ptr<collocation_solver> solver;
     ball time, next;
     tube_set set;
+    // The set about the end of the last curve that was found. If a rule rounds the curve, the centre of the set is moved
+    // by more than the errors of a step: in fast modes an initial layer that would keep steps short.
+    tube_set aimed;
+    std::vector<ball> found_end;
     std::optional<solution_tube> tube;
     std::optional<std::vector<magnitude>> slope_errors;  // computed on demand
     tube_rule rule = [](tube_proof& by, const tube_candidate& found, const tube_set& start) {
@@ -126,6 +132,7 @@ void collocation_integrator::begin(const ball& time, tube_set start, const ball&
     parts_->make_ready();
     parts_->time = time;
     parts_->set = std::move(start);
+    parts_->aimed = parts_->set;
     parts_->next = length;
     parts_->change_length(1);
     parts_->tube.reset();
@@ -166,6 +173,8 @@ void collocation_integrator::step() {
     arb_add(now.time.handle(), now.time.handle(), now.tube->on.length.handle(), ARF_PREC_EXACT);
     now.without_fast = now.tube->slow == now.map.size() ? now.without_fast + 1 : 0;
     now.set = now.tube->end(now.accuracy.product_bits, now.accuracy.frame_bits);
+    now.aimed = now.set;
+    now.aimed.centre = std::move(now.found_end);
     now.tube.reset();
     now.slope_errors.reset();
     now.change_length(now.growth.factor());

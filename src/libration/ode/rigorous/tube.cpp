@@ -42,19 +42,24 @@ std::vector<ball> solution_tube::values_at(const ball& distance) const {
     return values;
 }
 
+std::vector<ball> end_of(const std::vector<ball_polynomial>& curve, const std::vector<long>& scales) {
+    std::vector<ball> result;
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+        ball value = midpoint_alone(shifted(value_of(curve[i], ball(1)), scales[i]));
+        arf_set_round(arb_midref(value.handle()), arb_midref(value.handle()), ball::working_bits(), ARF_RND_NEAR);
+        result.push_back(std::move(value));
+    }
+    return result;
+}
+
 tube_set solution_tube::end(long bits, long frame_bits) const {
     const precision_scope scope(decimal_digits(bits));
     const std::size_t n = curve.size();
-    std::vector<ball> centre;
+    std::vector<ball> centre = end_of(curve, scales);
     ball_matrix columns(n);
     std::vector<magnitude> rounding;
     for (std::size_t i = 0; i < n; ++i) {
-        const ball value = shifted(value_of(curve[i], ball(1)), scales[i]);
-        ball rounded_value = midpoint_alone(value);
-        arf_set_round(arb_midref(rounded_value.handle()), arb_midref(rounded_value.handle()), ball::working_bits(),
-                      ARF_RND_NEAR);
-        rounding.emplace_back(value - rounded_value);
-        centre.push_back(std::move(rounded_value));
+        rounding.emplace_back(shifted(value_of(curve[i], ball(1)), scales[i]) - centre[i]);
         for (std::size_t j = 0; j < n; ++j) {
             ball entry = shifted(value_of(frame[i * n + j], ball(1)), scales[i]);
             arb_set_round(entry.handle(), entry.handle(), frame_bits);

@@ -20,6 +20,8 @@ namespace {
 constexpr int most_certificate_runs = 12;
 constexpr long most_certificate_bits = 4096;
 constexpr long guard_of_first_run = 8;
+// After a run that does not reach the last time.
+constexpr long least_increase = 24;
 constexpr double bits_of_digit = 3.3219281;
 // The initial values have so many bits more than the bounds of the program that checks.
 constexpr long more_bits_of_start = 64;
@@ -181,7 +183,7 @@ std::string certificate_of(const explicit_system& system, const certified_statem
                    std::to_string(by.steps()) + "\n" + by.text() + "end\n";
         }
         choice.rounds = lacking == 0;
-        choice.bits += lacking.value_or(choice.bits / 4);
+        choice.bits += lacking.value_or(std::max(choice.bits / 4, least_increase));
     }
     throw error(error_kind::undecided, "certificate", claimed.last_time().str(),
                 "has values that are not proved by collocation within the limits of the precision, or steps that are "
