@@ -485,6 +485,7 @@ FAULTS = [
         "src/libration/ode/proved/proved_march.cpp", [MARCHES],
         ("the radii of a step forgotten", "added.emplace_back(image[i] - set_.centre[i]);", "added.emplace_back();"),
         ("the start as its midpoint", "widths.emplace_back(each - box.centre.back());", "widths.emplace_back();"),
+        sources=("src/libration/ode/proved/march_collocation.cpp",),
     ),
     *in_file(
         "src/libration/ode/proved/proved_step.cpp", [MARCHES],

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "libration/ode/parse.hpp"
@@ -28,12 +29,21 @@ bool encloses(const ball& found, const ball& truth, long digits) {
 }
 
 // Of three unknowns, the first two of which decay.
-state_set some_set() {
+state_set set_of(std::vector<magnitude> radii, std::vector<magnitude> added) {
     const ball part = pow(ball(2), -20L);
     return {{ball(-3) / 4L, ball(5) / 8L, ball(2)},
             error_set({{ball(1), ball(0), ball(1)}, {ball(1), ball(1), ball(0)}, {ball(0), part, part}}, {1, 1, 1},
-                      {magnitude::of(1, -12), magnitude::of(1, -13), magnitude::of(1, -4)},
-                      {magnitude::of(1, -14), magnitude(), magnitude()})};
+                      std::move(radii), std::move(added))};
+}
+
+state_set some_set() {
+    return set_of({magnitude::of(1, -12), magnitude::of(1, -13), magnitude::of(1, -4)},
+                  {magnitude::of(1, -14), magnitude(), magnitude()});
+}
+
+// The curvature of the coordinates is not small in it.
+state_set wide_set() {
+    return set_of({magnitude::of(1, -4), magnitude::of(1, -5), magnitude()}, {magnitude(), magnitude(), magnitude()});
 }
 
 }  // namespace
@@ -62,7 +72,8 @@ TEST_CASE("unknowns that decay together keep their digits at any size", "[ode][p
 TEST_CASE("a set in coordinates of decay contains its points, and returns to a set that does", "[ode][proved]") {
     const precision_scope scope(60);
     const auto form = lifted(system_of("w' = -2*w; x' = -x*y + w; y' = x + y; w(0) = 1; x(0) = 1; y(0) = 1"));
-    const state_set set = some_set();
+    const bool wide = GENERATE(false, true);
+    const state_set set = wide ? wide_set() : some_set();
     const auto coordinates = decay_coordinates::of(form, {0, 1}, set);
     REQUIRE(coordinates);
     const ball time(0);
@@ -85,7 +96,7 @@ TEST_CASE("a set in coordinates of decay contains its points, and returns to a s
                 CHECK(overlaps(by_map[i], truth[i]));
                 CHECK(arb_contains(there->hull()[i].handle(), truth[i].handle()) != 0);
                 CHECK(arb_contains(back->hull()[i].handle(), state[i].handle()) != 0);
-                CHECK(certainly_less(radius_of(back->hull()[i]), radius_of(set.hull()[i]) * 3L));
+                CHECK((wide || certainly_less(radius_of(back->hull()[i]), radius_of(set.hull()[i]) * 3L)));
             }
         }
     }

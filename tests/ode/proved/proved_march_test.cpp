@@ -105,6 +105,17 @@ TEST_CASE("an unknown is enclosed by its own tail beside a smaller one", "[ode][
     check_random_values(300, 18, "x' = -x/1024; x(0) = 1e-200; ");
 }
 
+// x = e^(-3t); an error of a step at time s is e^(3 (14 - s)) times as large at the end.
+TEST_CASE("what each step adds to the errors grows with the flow", "[ode][proved]") {
+    proved_march march(explicit_system(parse("x'' = 9*x; x(0) = 1; x'(0) = -3")), 160);
+    const auto value = march.at(number(rational(14)));
+    REQUIRE(value.has_value());
+    const precision_scope scope(60);
+    CHECK(overlaps((*value)[0], exp(ball(-42))));
+    CHECK(overlaps((*value)[1], exp(ball(-42)) * -3L));
+    CHECK(arb_rel_accuracy_bits((*value)[0].handle()) > 20);
+}
+
 // All coefficients are 0 there, and those of the variations are not.
 TEST_CASE("an equilibrium is marched", "[ode][proved]") {
     for (const char* text : {"y' = -y*log(y); y(0) = 1", "y' = y*(1 - y); y(0) = 1"}) {
