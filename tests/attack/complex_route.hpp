@@ -51,10 +51,15 @@ private:
     acb_t value_;
 };
 
-/// The functions of one parameter, m and 1 - m exact and nonzero [DLMF 20.9.1-2, 22.2.4-9].
+/// The functions of one parameter, m and 1 - m exact [DLMF 20.9.1-2, 22.2.4-9]; for m = 0 and m = 1 circular and
+/// hyperbolic functions [DLMF 22.5.3, 22.5.4].
 class complex_route {
 public:
-    complex_route(const rational& m, const rational& complement) : quarter_(complete(m)) {
+    complex_route(const rational& m, const rational& complement) : circular_(m == 0), hyperbolic_(complement == 0) {
+        if (circular_ || hyperbolic_) {
+            return;
+        }
+        quarter_ = complete(m);
         tau_ = complex_ball(ball(0), ball(1)) * complete(complement) / quarter_;
         at_zero_ = thetas(complex_ball(ball(0), ball(0)));
     }
@@ -62,6 +67,9 @@ public:
     /// pq(x + iy).
     complex_ball operator()(std::string_view name, const rational& x, const rational& y) const {
         const complex_ball u(from_rational<ball>(x), from_rational<ball>(y));
+        if (circular_ || hyperbolic_) {
+            return elementary(name[0], u) / elementary(name[1], u);
+        }
         const auto at = thetas(u / quarter_ / complex_ball(ball(2), ball(0)));
         return over_fourth(name[0], at) / over_fourth(name[1], at);
     }
@@ -90,6 +98,18 @@ private:
         }
     }
 
+    // For m = 0 sn = sin, cn = cos, dn = 1; for m = 1 sn = sinh/cosh, cn = dn = 1/cosh, all times cosh.
+    complex_ball elementary(char letter, const complex_ball& u) const {
+        complex_ball result(ball(1), ball(0));
+        if (letter == 's') {
+            (circular_ ? acb_sin : acb_sinh)(result.handle(), u.handle(), ball::working_bits());
+        } else if (letter == (circular_ ? 'c' : 'n')) {
+            (circular_ ? acb_cos : acb_cosh)(result.handle(), u.handle(), ball::working_bits());
+        }
+        return result;
+    }
+
+    bool circular_, hyperbolic_;
     complex_ball quarter_;  ///< K
     complex_ball tau_;
     std::array<complex_ball, 4> at_zero_;

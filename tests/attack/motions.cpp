@@ -123,13 +123,13 @@ question ask_from_top(typed_numbers& next) {
     return q;
 }
 
-int attack_from_top(typed_numbers& next) {
+int attack_from_top(typed_numbers& next, std::string& what) {
     const question q = ask_from_top(next);
     const motion m = motion::of_energy(q.energy);
     const exact time = read_exact(q.time);
+    what = fmt::format("{} --time {} --digits {}", q.named, q.time, q.digits);
     proved_states states(m, q.digits);
     const auto printed = states.at(time);
-    const std::string what = fmt::format("{} --time {} --digits {}", q.named, q.time, q.digits);
     return wrong_ones({{"theta of " + what, printed.theta}, {"omega of " + what, printed.omega}}, q.digits, [&] {
         const precision_scope wider(working_digits() + 700);  // t/T of times of 300 digits at E of 300
         const route_from_top route(q.energy, q.gap);
@@ -140,7 +140,7 @@ int attack_from_top(typed_numbers& next) {
     });
 }
 
-int attack_from_start(typed_numbers& next) {
+int attack_from_start(typed_numbers& next, std::string& what) {
     const std::string theta0 = next.number(-20, -1);
     const std::string omega0 = next.number(-20, -1);
     const std::string angle = (next.below(2) == 0 ? "-" : "") + theta0;
@@ -149,10 +149,9 @@ int attack_from_start(typed_numbers& next) {
     const rational from = fraction_of(angle) * 3;
     const rational speed = fraction_of(omega0) * 3;
     const rational length = fraction_of(time);
+    what = fmt::format("--theta0 3*({}) --omega0 3*{} --time {} --digits {}", angle, omega0, time, digits);
     proved_states states(motion::of_state(exactly(from), exactly(speed)), digits);
     const auto printed = states.at(exactly(length));
-    const std::string what =
-        fmt::format("--theta0 3*({}) --omega0 3*{} --time {} --digits {}", angle, omega0, time, digits);
     return wrong_ones({{"theta of " + what, printed.theta}, {"omega of " + what, printed.omega}}, digits, [&] {
         const precision_scope wider(working_digits() + 150);
         auto state = route_from_start(from, speed, length);
@@ -160,14 +159,14 @@ int attack_from_start(typed_numbers& next) {
     });
 }
 
-int attack_functions(typed_numbers& next) {
+int attack_functions(typed_numbers& next, std::string& what) {
     const bool complementary = next.below(2) == 0;
     const std::string number = next.number(-300, -1);
     const elliptic::given_modulus modulus =
         complementary ? elliptic::given_modulus{{}, {}, number} : elliptic::given_modulus{{}, number, {}};
     const std::string u = next.number(-10, next.below(4) == 0 ? 300 : 10);
     const long digits = next.digits();
-    const std::string what = fmt::format("--u {} --{} {} --digits {}", u, complementary ? "m1" : "m", number, digits);
+    what = fmt::format("--u {} --{} {} --digits {}", u, complementary ? "m1" : "m", number, digits);
     return wrong_ones({{"sn " + what, proved::sn(u, modulus, digits).text},
                        {"cn " + what, proved::cn(u, modulus, digits).text},
                        {"dn " + what, proved::dn(u, modulus, digits).text},
@@ -194,27 +193,29 @@ typed_parameter ask_parameter(typed_numbers& next) {
             complementary ? &elliptic::real_parameter::from_complement : &elliptic::real_parameter::from_parameter};
 }
 
-std::string ask_part(typed_numbers& next) {
-    const std::string size = next.number(-10, next.below(4) == 0 ? 40 : 2);
+std::string ask_part(typed_numbers& next, long most) {
+    const std::string size = next.number(-10, next.below(4) == 0 ? most : 2);
     return (next.below(2) == 0 ? "-" : "") + size;
 }
 
 // One of the twelve functions, in a quarter of the cases at a real argument.
-int attack_complex(typed_numbers& next) {
+int attack_complex(typed_numbers& next, std::string& what) {
     constexpr std::string_view letters = "scdn";
     const auto above = static_cast<std::size_t>(next.below(4));
     const std::size_t below = (above + static_cast<std::size_t>(next.between(1, 3))) % 4;
     const std::string name{letters[above], letters[below]};
     const typed_parameter parameter = ask_parameter(next);
-    const std::string x = ask_part(next);
-    const std::string y = next.below(4) == 0 ? "" : ask_part(next);
+    const auto given = parameter.value();
+    // For m = 0 and 1 the functions grow exponentially.
+    const long most = given.m().coefficient == 0 || given.complement().coefficient == 0 ? 3 : 40;
+    const std::string x = ask_part(next, most);
+    const std::string y = next.below(4) == 0 ? "" : ask_part(next, most);
     const long digits = next.digits();
     elliptic_point at{read_exact(x), parameter};
     at.imaginary = y.empty() ? std::nullopt : std::optional(read_exact(y));
+    what = fmt::format("{} --u={}{} m {} or 1-m {} --digits {}", name, x, y.empty() ? "" : ", " + y, given.m().text,
+                       given.complement().text, digits);
     const auto texts = texts_of(*elliptic::find_function(name), at, digits);
-    const auto given = parameter.value();
-    const std::string what = fmt::format("{} --u={}{} m {} or 1-m {} --digits {}", name, x, y.empty() ? "" : ", " + y,
-                                         given.m().text, given.complement().text, digits);
     return wrong_ones({{"real " + what, texts[0]}, {"imaginary " + what, texts[1]}}, digits, [&] {
         const precision_scope wider(working_digits() + 1200);
         const complex_route route(given.m().coefficient, given.complement().coefficient);
@@ -232,13 +233,14 @@ void attack(long values, unsigned long seed, tally& all) {
     typed_numbers next(seed);
     while (all.values < values) {
         const long kind = next.below(11);
+        std::string what;  // is asked
         try {
-            all.wrong += kind < 6    ? attack_from_top(next)
-                         : kind < 8  ? attack_from_start(next)
-                         : kind < 10 ? attack_functions(next)
-                                     : attack_complex(next);
+            all.wrong += kind < 6    ? attack_from_top(next, what)
+                         : kind < 8  ? attack_from_start(next, what)
+                         : kind < 10 ? attack_functions(next, what)
+                                     : attack_complex(next, what);
         } catch (const std::exception& problem) {
-            fmt::print(stderr, "refused: {}\n", problem.what());
+            fmt::print(stderr, "refused: {}: {}\n", what, problem.what());
             ++all.wrong;
         }
         all.values += kind < 8 || kind == 10 ? 2 : 4;

@@ -50,8 +50,8 @@ solved_problem of_one(const component& u, const rational& origin, const std::str
 
 }  // namespace
 
-rational decimal_fraction(long whole, long digits) {
-    return {integer(whole), pow(integer(10), static_cast<unsigned>(digits))};
+rational decimal_fraction(const integer& whole, long digits) {
+    return {whole, pow(integer(10), static_cast<unsigned>(digits))};
 }
 
 std::string solved_problem::typed_time(const rational& since) const {

@@ -26,7 +26,7 @@ struct solved_problem {
 };
 
 /// A decimal with at most `digits` digits after the point as a fraction.
-rational decimal_fraction(long whole, long digits);
+rational decimal_fraction(const integer& whole, long digits);
 
 solved_problem alone(const component& u, const std::string& name = "y");
 /// u, v in equations that do not influence each other.

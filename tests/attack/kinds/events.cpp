@@ -143,7 +143,7 @@ rational end_of_search(const asked_events& asked, choices& next) {
         return decimal_fraction(next.between(1, 4000), 3);
     }
     const double at = rough(asked.events[next.below(std::min<std::size_t>(asked.events.size(), 4))].since);
-    const rational near = decimal_fraction(std::lround(at * 1000) + next.between(-2, 2), 3);
+    const rational near = decimal_fraction(integer(std::round(at * 1000)) + next.between(-2, 2), 3);
     return near <= 0 ? rational(1, 1000) : near;
 }
 

@@ -87,9 +87,12 @@ outcome ask_unknown(choices& next) {
                              asked.text, asked.name, asked.condition, digits));
     try {
         const auto system = ode::parse(asked.text);
-        const auto found =
-            ode::proved_unknowns(system, {asked.name}, condition_of(system, asked.condition), digits).front();
+        const auto found = ode::proved_unknowns(system, {asked.name}, condition_of(system, asked.condition), digits, {},
+                                                [](const ball&, long) { require_time_left(); })
+                               .front();
         result.add(judged(found, digits, asked.value), fmt::format("{} = {}", asked.name, found.text));
+    } catch (const no_answer& late) {
+        result.add(verdict::undecided, late.what());
     } catch (const error& refusal) {
         result.add(verdict::refused, refusal.what());
     }
@@ -121,13 +124,16 @@ outcome ask_orbit(choices& next) {
     outcome result;
     result.command = announce(fmt::format("libration find --problem \"{}\" --periodic --digits {}", text, digits));
     try {
-        const auto orbit = ode::proved_periodic_orbit(system_of(text), digits);
+        const auto orbit =
+            ode::proved_periodic_orbit(system_of(text), digits, {}, [](const ball&, long) { require_time_left(); });
         const truth period = [=] { return mpfr(8 * atan(mpfr(1)) / w.value()); };
         result.add(judged(orbit.period, digits, period), "period = " + orbit.period.text);
         // One coordinate is fixed: at (r, 0) the other one moves along the section. With k = 0 that is y = 0.
         if (k == 0) {
             result.add(judged(orbit.start[0], digits, radius), "x = " + orbit.start[0].text);
         }
+    } catch (const no_answer& late) {
+        result.add(verdict::undecided, late.what());
     } catch (const error& refusal) {
         result.add(verdict::refused, refusal.what());
     }

@@ -116,7 +116,7 @@ outcome ask_refusal(choices& next) {
     if (next.one_in(2)) {
         problem = mixed(problem.parts.front(), any_component(next), next);
     }
-    const rational since = decimal_fraction(static_cast<long>(problem.forward * 1000) + next.between(1, 3000), 3);
+    const rational since = decimal_fraction(integer(std::floor(problem.forward * 1000)) + next.between(1, 3000), 3);
     const double from = problem.origin.convert_to<double>();
     outcome result = asked_values(problem, since, next.between(1, 30), [&](const std::string& message) {
         return judged_existence(message, from, from + problem.forward);
