@@ -142,8 +142,8 @@ if(LIBRATION_BUILD_MPI)
     target_link_options(libration-mpi PRIVATE ${library_first})
 endif()
 
-# The checker of certificates in C, which shares no code with the library. Like the one in Python it is not installed: a
-# checker is taken from the source.
+# The checker of certificates in C, which shares no code with the library, for --check; those who check a certificate of
+# others take it from the source.
 enable_language(C)
 add_executable(libration-check ${PROJECT_SOURCE_DIR}/check/libration_check.c)
 set_target_properties(libration-check PROPERTIES C_STANDARD 11 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF UNITY_BUILD OFF)
@@ -166,6 +166,7 @@ endif()
 if(TARGET libration-import)
     install(TARGETS libration-import RUNTIME DESTINATION ${installed_peers_dir} COMPONENT peers)
 endif()
+install(TARGETS libration-check RUNTIME DESTINATION ${installed_peers_dir} COMPONENT peers)
 install(TARGETS ${solver_peers} RUNTIME DESTINATION ${installed_peers_dir} COMPONENT peers)
 install(PROGRAMS peers/scipy_solvers.py peers/mpmath_solvers.py DESTINATION ${installed_peers_dir} COMPONENT peers)
 install(FILES peers/equation_code.py DESTINATION ${installed_peers_dir} COMPONENT peers)

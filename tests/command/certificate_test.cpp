@@ -96,6 +96,21 @@ TEST_CASE("the events of a certificate are all that there are", "[command][refer
     CHECK_FALSE(contains(second.out, "x'(#1)"));
 }
 
+// libration-check is built beside the command.
+TEST_CASE("with --check the checker proves the certificate", "[command][reference][find][certificate]") {
+    const temporary_folder folder;
+    const std::string orbit = "x' = x - y - x*(x^2 + y^2); y' = x + y - y*(x^2 + y^2); x(0) = 1; y(0) = 0";
+    for (const words& line : {words{"reference", "--problem", "y' = -y; y(0) = 1", "--time", "1"},
+                              words{"reference", "--problem", "x'' = -x; x(0) = 0; x'(0) = 1", "--until", "x = 0"},
+                              words{"find", "--problem", orbit, "--periodic"}}) {
+        const auto done =
+            run_libration(line + words{"--digits", "6", "--check", "--certificate", "a.cert"}, folder.path());
+        INFO(done.err);
+        CHECK(done.exit_code == 0);
+        CHECK(contains(done.err, "libration-check proves the certificate 'a.cert', in integers"));
+    }
+}
+
 TEST_CASE("a certificate without one of its events is refused by the checker", "[command][reference][certificate]") {
     const temporary_folder folder;
     const auto done = run_libration({"reference", "--problem", "y' = 2 - t - y/9; y(0) = -1", "--until", "y*t = 1/2",

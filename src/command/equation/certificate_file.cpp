@@ -1,8 +1,13 @@
 #include "equation/certificate_file.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <cstdio>
 #include <stdexcept>
 
+#include "run/child_program.hpp"
+#include "run/program_files.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {
@@ -82,6 +87,21 @@ void certify_root(const std::string& path, const problem& of, const std::vector<
 
 void certify_orbit(const std::string& path, const problem& of, const answer& found, const request& how) {
     write_certificate(path, [&] { return certificate_of_orbit(of, values_of(found), how); });
+}
+
+void check_certificate(const std::string& path) {
+    constexpr int not_found = 127;
+    const std::string checker = peer_program("libration-check");
+    const program_result done = result_of_program({checker, path});
+    if (done.exit_code == not_found) {
+        throw error(error_kind::undecided, "certificate", path,
+                    "is not checked, because there is no program " + checker);
+    }
+    if (done.exit_code != 0) {
+        throw error(error_kind::undecided, "certificate", path,
+                    "is rejected by libration-check: " + done.out.substr(0, done.out.find('\n')));
+    }
+    fmt::print(stderr, "libration: libration-check proves the certificate '{}', in integers\n", path);
 }
 
 }  // namespace libration

@@ -67,6 +67,12 @@ int code_of_program(const std::vector<std::string>& words, std::FILE* in, std::F
 
 int run_program(const std::vector<std::string>& words) { return code_of_program(words, nullptr, nullptr); }
 
+program_result result_of_program(const std::vector<std::string>& words) {
+    const open_file out = nameless_file();
+    const int code = code_of_program(words, nullptr, out.get());
+    return {code, content_of(out.get())};
+}
+
 std::string output_of_program(const std::string& path, const std::string& input) {
     const open_file in = nameless_file();
     const open_file out = nameless_file();

@@ -15,4 +15,12 @@ int run_program(const std::vector<std::string>& words);
 /// when it cannot be started or ends with another code than 0.
 std::string output_of_program(const std::string& path, const std::string& input);
 
+/// What a program that has ended printed on stdout, and its exit code, 127 where it is not found.
+struct program_result {
+    int exit_code;
+    std::string out;
+};
+/// Runs a program with these words as run_program does, but keeps its stdout.
+program_result result_of_program(const std::vector<std::string>& words);
+
 }  // namespace libration

@@ -260,6 +260,9 @@ int run_find(const find_options& options) {
         } else {
             certify_root(*options.certificate, of, options.unknowns, options.conditions, solution, how);
         }
+        if (options.check) {
+            check_certificate(*options.certificate);
+        }
     }
     return code;
 }
@@ -300,8 +303,10 @@ subcommand find_command(CLI::App& program) {
                      "root or the orbit again, in integers")
         ->type_name("FILE");
     command->add_flag("--periodic", options->periodic, "the periodic orbit near the initial values, and its period");
-    command->add_flag("--check", options->check,
-                      "compare with a second proof by another route, exit 1 if they disagree");
+    command->add_flag(
+        "--check", options->check,
+        "compare with a second proof by another route, exit 1 if they disagree; with --certificate also run "
+        "its checker");
     return {command, [options] { return run_find(*options); }};
 }
 

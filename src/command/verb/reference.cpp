@@ -219,6 +219,12 @@ void certify(long digits, const Write& write) {
     to(1);
 }
 
+void check_if_asked(const reference_options& options) {
+    if (options.check) {
+        check_certificate(*options.certificate);
+    }
+}
+
 event_searcher searcher_of(const ode::equation_system& equations, const ode::explicit_system& system) {
     if (equations.is_smooth()) {
         return [&system](const auto& request, long digits, const auto& route, const auto& watch) {
@@ -285,6 +291,7 @@ int write_events(const reference_options& options, long digits) {
     if (options.certificate) {
         certify(digits,
                 [&](const auto& how) { certify_events(*options.certificate, system, request, found.rows, how); });
+        check_if_asked(options);
     }
     return 0;
 }
@@ -429,6 +436,7 @@ int run_reference(const reference_options& options) {
         certify(digits, [&](const request& how) {
             certify_states(*options.certificate, options.problem.choose(), asked.front().times, found.rows, how);
         });
+        check_if_asked(options);
     }
     return 0;
 }
@@ -467,8 +475,10 @@ subcommand reference_command(CLI::App& program) {
     command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");
     options->events.add_to(*command);
     options->sets.add_to(*command);
-    command->add_flag("--check", options->check,
-                      "compare with a second proof by another route, exit 1 if they disagree");
+    command->add_flag(
+        "--check", options->check,
+        "compare with a second proof by another route, exit 1 if they disagree; with --certificate also run "
+        "its checker");
     return {command, [options] { return run_reference(*options); }};
 }
 
