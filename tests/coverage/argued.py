@@ -90,6 +90,8 @@ ARGUED = {
     (EVENTS, "const int sign = inside ? sign_at(place) : 0;"): "as above",
     (EVENTS, "return cut(last) || before;"):
         "g is known at three quarters where it is at one quarter, unless its enclosures are much wider there",
+    (MARCH, "for (int halving = 0; halving < most_halvings_for_width && now > significant_uncertainty; ++halving) {"):
+        "a limit of the work: any length of a step is valid, and no set of the tests needs one 32 times as short",
     (MARCH, "if (choose_length() && !expand_set()) {"): "a set that has an expansion has one with more bits",
     (SHOOTING, "if (difference == 0) {"): "steers the guess, proves nothing: two values that differ have missed differently",
     (SHOOTING, "if (mpfr_number_p(handle(value)) == 0) {"):

@@ -226,8 +226,9 @@ template <class F>
 void step_arrays<R>::set_kept(const tape_step& s, int index) {
     const auto call = [](function_kind f, const R& x) { return function_value<R>(f, x); };
     for (int i = 0; i < F::values_kept; ++i) {
-        const auto& exact = tape_->steps()[static_cast<std::size_t>(index + 1 + i)].centre;
-        array(index + 1 + i)[0] =
+        const int companion = index + 1 + i;
+        const auto& exact = tape_->steps()[static_cast<std::size_t>(companion)].centre;
+        array(companion)[0] =
             exact_ && exact ? constant_value<R>::of(*exact) : F::first_kept(i, array(s.left)[0], call);
     }
 }

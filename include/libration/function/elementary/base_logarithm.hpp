@@ -38,12 +38,12 @@ struct base_logarithm {
     template <class Complex>
     static void complex_ball(Complex* y, const Complex* x, long bits) {
         acb_log(y, x, bits);
-        Complex base[1];
-        acb_init(base);
-        acb_set_ui(base, Base);
-        acb_log(base, base, bits);
-        acb_div(y, y, base, bits);
-        acb_clear(base);
+        Complex base;
+        acb_init(&base);
+        acb_set_ui(&base, Base);
+        acb_log(&base, &base, bits);
+        acb_div(y, y, &base, bits);
+        acb_clear(&base);
     }
 };
 

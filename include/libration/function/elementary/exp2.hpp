@@ -35,22 +35,22 @@ struct exp2_function {
     static constexpr rounded_function rounded = mpfr_exp2;
     template <class Real>
     static void real_ball(Real* y, const Real* x, long bits) {
-        Real factor[1];
-        arb_init(factor);
-        arb_const_log2(factor, bits + 64);
-        arb_mul(factor, factor, x, bits + 64);
-        arb_exp(y, factor, bits);
-        arb_clear(factor);
+        Real factor;
+        arb_init(&factor);
+        arb_const_log2(&factor, bits + 64);
+        arb_mul(&factor, &factor, x, bits + 64);
+        arb_exp(y, &factor, bits);
+        arb_clear(&factor);
     }
     template <class Complex>
     static void complex_ball(Complex* y, const Complex* x, long bits) {
-        Complex factor[1];
-        acb_init(factor);
-        acb_set_ui(factor, 2);
-        acb_log(factor, factor, bits + 64);
-        acb_mul(factor, factor, x, bits + 64);
-        acb_exp(y, factor, bits);
-        acb_clear(factor);
+        Complex factor;
+        acb_init(&factor);
+        acb_set_ui(&factor, 2);
+        acb_log(&factor, &factor, bits + 64);
+        acb_mul(&factor, &factor, x, bits + 64);
+        acb_exp(y, &factor, bits);
+        acb_clear(&factor);
     }
 };
 

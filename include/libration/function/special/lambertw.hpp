@@ -32,8 +32,8 @@ struct lambertw_function {
     }
     template <class Complex>
     static void complex_ball(Complex* y, const Complex* x, long bits) {
-        const long branch[1] = {0};
-        acb_lambertw(y, x, branch, 0, bits);
+        const long principal = 0;
+        acb_lambertw(y, x, &principal, 0, bits);
     }
 };
 
