@@ -76,7 +76,7 @@ PLAN = {
     "toda": (20, every("2.5", 4)),
     "van_der_pol": (20, every("5", 2)),
     "van_der_pol_100": (20, every("25", 8), "van_der_pol", "m=100"),
-    "van_der_pol_1000": (20, every("125", 6), "van_der_pol", "m=1000"),
+    "van_der_pol_1000": (20, every("125", 8), "van_der_pol", "m=1000"),
     "weierstrass": (20, every("0.1125", 8)),
 }
 
