@@ -204,22 +204,6 @@ inline std::vector<table> tables_of_solvers(const std::string& problem, const st
     return {make_table(solver_columns(), rows)};
 }
 
-inline study_plan plan_of_solvers(const named_choice& of_problems, const named_choice& of_solvers,
-                                  const study_request& request) {
-    const auto problems = chosen_names(of_problems, request.values);
-    const auto peers = asked_peers(of_solvers, request);
-    study_plan result = plan_of_cells(
-        {head_of("", {scalar_kind::proved, truth_digits}, solver_columns())}, {"problem", "versions"}, problems.size(),
-        [problems, versions = versions_of(peers)](std::size_t i) {
-            return cell_inputs{{"problem", problems[i]}, {"versions", versions}};
-        },
-        [problems, peers, tolerances = request.values.of("tolerance")](std::size_t i) {
-            return tables_of_solvers(problems[i], peers, tolerances);
-        });
-    result.cost = [problems](std::size_t i) { return 10.0 + problem_named(problems[i]).seconds; };
-    return result;
-}
-
 inline void check_tolerance(const exact& each) {
     require_plain_number(each);
     const double value = std::strtod(decimal_of(each, 17).c_str(), nullptr);
@@ -249,17 +233,44 @@ inline named_choice choice_of_problems(const std::string& remedy, std::vector<st
             .names = std::move(names)};
 }
 
-inline problem_family family_of_solvers(const named_choice& of_problems, const named_choice& of_solvers) {
-    return {.name = "test problems",
-            .axes = {axis_of(of_problems),
-                     axis_of(of_solvers),
-                     {.name = "tolerance",
-                      .option = "--tolerances",
-                      .help = "requested tolerances of the solvers, relative and absolute",
-                      .form = axis_form::numbers,
-                      .remedy = "write a list such as 1e-4,1e-8,1e-12",
-                      .check = check_tolerance,
-                      .coordinate = "tolerance"}}};
-}
+/// The axes of a study of solvers, and its plan.
+class solver_choices {
+public:
+    solver_choices(named_choice problems, named_choice solvers)
+        : problems_(std::move(problems)),
+          solvers_(std::move(solvers)),
+          family_{.name = "test problems",
+                  .axes = {axis_of(problems_),
+                           axis_of(solvers_),
+                           {.name = "tolerance",
+                            .option = "--tolerances",
+                            .help = "requested tolerances of the solvers, relative and absolute",
+                            .form = axis_form::numbers,
+                            .remedy = "write a list such as 1e-4,1e-8,1e-12",
+                            .check = check_tolerance,
+                            .coordinate = "tolerance"}}} {}
+
+    const problem_family& family() const { return family_; }
+
+    study_plan plan(const study_request& request) const {
+        const auto problems = chosen_names(problems_, request.values);
+        const auto peers = asked_peers(solvers_, request);
+        study_plan result = plan_of_cells(
+            {head_of("", {scalar_kind::proved, truth_digits}, solver_columns())}, {"problem", "versions"},
+            problems.size(),
+            [problems, versions = versions_of(peers)](std::size_t i) {
+                return cell_inputs{{"problem", problems[i]}, {"versions", versions}};
+            },
+            [problems, peers, tolerances = request.values.of("tolerance")](std::size_t i) {
+                return tables_of_solvers(problems[i], peers, tolerances);
+            });
+        result.cost = [problems](std::size_t i) { return 10.0 + problem_named(problems[i]).seconds; };
+        return result;
+    }
+
+private:
+    named_choice problems_, solvers_;
+    problem_family family_;
+};
 
 }  // namespace libration::studies::proved

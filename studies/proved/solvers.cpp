@@ -9,44 +9,36 @@ namespace solvers_study {
 namespace {
 
 // Stiff and nonstiff problems whose reference values take two minutes at most.
-const named_choice& problems_to_choose() {
-    static const named_choice result =
-        proved::choice_of_problems("write names such as lorenz,kepler, or all", {"arenstorf",
-                                                                                 "brusselator",
-                                                                                 "detest_a3",
-                                                                                 "detest_d5",
-                                                                                 "double_pendulum",
-                                                                                 "duffing",
-                                                                                 "fitzhugh_nagumo",
-                                                                                 "henon_heiles",
-                                                                                 "hires",
-                                                                                 "kepler",
-                                                                                 "logistic",
-                                                                                 "lorenz",
-                                                                                 "lotka_volterra",
-                                                                                 "oregonator",
-                                                                                 "pendulum_179deg",
-                                                                                 "robertson",
-                                                                                 "seir",
-                                                                                 "three_body_figure_8",
-                                                                                 "van_der_pol",
-                                                                                 "van_der_pol_100"});
+const std::vector<std::string>& problems() {
+    static const std::vector<std::string> result{"arenstorf",
+                                                 "brusselator",
+                                                 "detest_a3",
+                                                 "detest_d5",
+                                                 "double_pendulum",
+                                                 "duffing",
+                                                 "fitzhugh_nagumo",
+                                                 "henon_heiles",
+                                                 "hires",
+                                                 "kepler",
+                                                 "logistic",
+                                                 "lorenz",
+                                                 "lotka_volterra",
+                                                 "oregonator",
+                                                 "pendulum_179deg",
+                                                 "robertson",
+                                                 "seir",
+                                                 "three_body_figure_8",
+                                                 "van_der_pol",
+                                                 "van_der_pol_100"};
     return result;
 }
 
-const named_choice& solvers_to_choose() {
-    static const named_choice result = proved::choice_of_solvers(
-        "LIST of odeint, gsl, sundials, scipy and mpmath, or all", "write names such as odeint,gsl, or all",
-        members_of(proved::solver_peers(), &proved::solver_peer::name));
-    return result;
-}
-
-study_plan plan(const study_request& request) {
-    return proved::plan_of_solvers(problems_to_choose(), solvers_to_choose(), request);
-}
-
-const problem_family& problems_of_study() {
-    static const problem_family result = proved::family_of_solvers(problems_to_choose(), solvers_to_choose());
+const proved::solver_choices& choices() {
+    static const proved::solver_choices result(
+        proved::choice_of_problems("write names such as lorenz,kepler, or all", problems()),
+        proved::choice_of_solvers("LIST of odeint, gsl, sundials, scipy and mpmath, or all",
+                                  "write names such as odeint,gsl, or all",
+                                  members_of(proved::solver_peers(), &proved::solver_peer::name)));
     return result;
 }
 
@@ -68,13 +60,13 @@ const study& solvers() {
             "parameters that are rounded to it; dotted is the error, to first order, that this alone makes. A run ends "
             "at 200000 evaluations, of mpmath at 20000, for each takes it long. Boost.odeint, "
             "GSL, SUNDIALS, SciPy and mpmath answer where they are installed.",
-        .of = &problems_of_study(),
+        .of = &choices().family(),
         .parameters = {{"--problems", "all", "twenty problems of the reference set"},
                        {"--solvers", "all", "libraries"},
                        {"--tolerances", "1e-3,1e-5,1e-7,1e-9,1e-11,1e-13", "relative and absolute"}},
         .quick = {{"--problems", "logistic", ""}, {"--solvers", "odeint", ""}, {"--tolerances", "1e-4,1e-8", ""}},
         .seconds = 300,
-        .plan = plan,
+        .plan = [](const study_request& request) { return choices().plan(request); },
         .offers = arithmetics::proved_too};
     return result;
 }

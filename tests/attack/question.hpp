@@ -60,6 +60,21 @@ public:
 void require_time_left();
 inline constexpr std::chrono::seconds seconds_of_a_question{5};
 
+/// Announces a command and judges its answer, which `answer` adds; an error is a refusal.
+template <class Answer>
+outcome answered(const std::string& command, const Answer& answer) {
+    outcome result;
+    result.command = announce(command);
+    try {
+        answer(result);
+    } catch (const error& refusal) {
+        result.add(verdict::refused, refusal.what());
+    } catch (const no_answer& late) {
+        result.add(verdict::undecided, late.what());
+    }
+    return result;
+}
+
 /// Adds the verdict on the digits of a number, or on its bound.
 void add_number(outcome& to, const ode::known_value& number, long digits, const truth& exact, const std::string& name);
 

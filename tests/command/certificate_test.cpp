@@ -3,10 +3,12 @@
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 #include "certificates/checked.hpp"
 #include "command/refusal.hpp"
+#include "equation/certificate_file.hpp"
 #include "libration/ode/rigorous/certificate/certificate.hpp"
 
 namespace command_certificate_test {
@@ -109,6 +111,13 @@ TEST_CASE("with --check the checker proves the certificate", "[command][referenc
         CHECK(done.exit_code == 0);
         CHECK(contains(done.err, "libration-check proves the certificate 'a.cert', in integers"));
     }
+}
+
+TEST_CASE("a certificate that the checker rejects is an error", "[command][certificate]") {
+    const temporary_folder folder;
+    const auto file = folder.path() / "a.cert";
+    std::ofstream(file) << "no certificate";
+    CHECK_THROWS_WITH(check_certificate(file.string()), Catch::Contains("is rejected by libration-check: Not proved"));
 }
 
 TEST_CASE("a certificate without one of its events is refused by the checker", "[command][reference][certificate]") {

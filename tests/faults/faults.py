@@ -377,7 +377,7 @@ FAULTS = [
         ("the terms of a product from N - j + 1", "tail += b.terms[count - j];\n            sum.add_product(a.terms[j], tail);",
          "sum.add_product(a.terms[j], tail);\n            tail += b.terms[count - j];"),
         ("the change of a product without its mixed term", " + left() * right());", ");"),
-        ("attempts counted while a defect moves along a chain", "            --attempt;\n", ""),
+        ("attempts counted while a defect moves along a chain", "> nonzero(s) ? 0 : 1", "> nonzero(s) ? 1 : 1"),
         ("a square changed once", "left() * (norm(s.left) + norm(s.left) + left())", "left() * (norm(s.left) + left())"),
         ("the last coefficient forgotten", "case operation::state: return size_of(a[terms_]) * powers_[terms_];",
          "case operation::state: return magnitude();"),

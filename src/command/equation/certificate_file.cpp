@@ -95,7 +95,8 @@ void check_certificate(const std::string& path) {
     const program_result done = result_of_program({checker, path});
     if (done.exit_code == not_found) {
         throw error(error_kind::undecided, "certificate", path,
-                    "is not checked, because there is no program " + checker);
+                    "is not checked, because there is no program " + checker +
+                        ": build it, or check the file by check/libration_check.py");
     }
     if (done.exit_code != 0) {
         throw error(error_kind::undecided, "certificate", path,

@@ -39,25 +39,20 @@ outcome ask_delay(choices& next) {
     const rational time = decimal_fraction(next.between(1, 6000), 3);
     const long digits = next.between(1, 40);
     const std::string typed = time.str();
-    outcome result;
-    result.command = announce(
-        fmt::format("libration reference --problem \"{}\" --time {} --digits {}", growth.text(), typed, digits));
-    try {
-        const auto found = ode::proved_part_of_delay(ode::delay_system(ode::parse(growth.text())), {time_number(typed)},
-                                                     digits, [](const ball&, long) { require_time_left(); });
-        if (!found.states.front().empty()) {
-            add_number(
-                result, found.states.front().front(), digits, [&] { return growth.value(time); }, "x");
-        }
-        if (found.missing) {
-            result.add(verdict::refused, found.missing->what());
-        }
-    } catch (const error& refusal) {
-        result.add(verdict::refused, refusal.what());
-    } catch (const no_answer& late) {
-        result.add(verdict::undecided, late.what());
-    }
-    return result;
+    return answered(
+        fmt::format("libration reference --problem \"{}\" --time {} --digits {}", growth.text(), typed, digits),
+        [&](outcome& result) {
+            const auto found =
+                ode::proved_part_of_delay(ode::delay_system(ode::parse(growth.text())), {time_number(typed)}, digits,
+                                          [](const ball&, long) { require_time_left(); });
+            if (!found.states.front().empty()) {
+                add_number(
+                    result, found.states.front().front(), digits, [&] { return growth.value(time); }, "x");
+            }
+            if (found.missing) {
+                result.add(verdict::refused, found.missing->what());
+            }
+        });
 }
 
 }  // namespace libration::attack

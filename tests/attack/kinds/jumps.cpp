@@ -38,21 +38,6 @@ struct bouncing_ball {
     mpfr velocity(long n) const { return -gravity.value() * duration() * pow(kept.value(), mpfr(n)); }
 };
 
-// An answer, with its errors.
-template <class Answer>
-outcome answered(const std::string& command, const Answer& answer) {
-    outcome result;
-    result.command = announce(command);
-    try {
-        answer(result);
-    } catch (const error& refusal) {
-        result.add(verdict::refused, refusal.what());
-    } catch (const no_answer& late) {
-        result.add(verdict::undecided, late.what());
-    }
-    return result;
-}
-
 }  // namespace
 
 outcome ask_jump(choices& next) {

@@ -33,20 +33,14 @@ outcome ask_limit(choices& next) {
     const std::string text =
         fmt::format("x' = {0} + ({1})*({2}); y' = {2}; x(0) = {3}; y(0) = {4}", slope_to(u, moving, next), k, slope,
                     any_constant(next).text, any_constant(next).text);
-    outcome result;
-    result.command = announce(fmt::format("libration reference --problem \"{}\" --time inf --digits {}", text, digits));
-    try {
-        const auto found = ode::limit_at_equilibrium(ode::explicit_system(ode::parse(text)), digits,
-                                                     [](const ball&, long) { require_time_left(); });
-        const truth x = [&] { return mpfr(u.value() + k * v.value()); };
-        add_number(result, found.states.front()[0], digits, x, "x");
-        add_number(result, found.states.front()[1], digits, v.value, "y");
-    } catch (const error& refusal) {
-        result.add(verdict::refused, refusal.what());
-    } catch (const no_answer& late) {
-        result.add(verdict::undecided, late.what());
-    }
-    return result;
+    return answered(fmt::format("libration reference --problem \"{}\" --time inf --digits {}", text, digits),
+                    [&](outcome& result) {
+                        const auto found = ode::limit_at_equilibrium(ode::explicit_system(ode::parse(text)), digits,
+                                                                     [](const ball&, long) { require_time_left(); });
+                        const truth x = [&] { return mpfr(u.value() + k * v.value()); };
+                        add_number(result, found.states.front()[0], digits, x, "x");
+                        add_number(result, found.states.front()[1], digits, v.value, "y");
+                    });
 }
 
 }  // namespace libration::attack

@@ -38,28 +38,26 @@ outcome ask_set(choices& next) {
     const rational time = decimal_fraction(next.between(1, 2000), 3);
     const std::string text = fmt::format("x' = -a*x{0}; x(0) = [{1}, {1} + {2}]; a = [{3}, {3} + {4}]",
                                          cubic ? "^3" : "", least.text, width.str(), rate.text, growth.str());
-    outcome result;
-    result.command = announce(fmt::format("libration reference --problem \"{}\" --time {}", text, time.str()));
-    try {
-        const auto found = ode::enclosed_solutions(ode::parse(text),
-                                                   {.spans = {ode::at_time(time_number(time.str()))}, .most_parts = 8},
-                                                   [](const ball&, long) { require_time_left(); });
-        if (!found.values.front().empty()) {
-            const auto& within = found.values.front().front();
-            const truth below = [&] { return decayed(cubic, least.value(), rate.value() + real(growth), real(time)); };
-            const truth above = [&] { return decayed(cubic, least.value() + real(width), rate.value(), real(time)); };
-            result.add(judged_end(within.lower, below, -1), "the lower bound of x");
-            result.add(judged_end(within.upper, above, 1), "the upper bound of x");
-        }
-        if (found.missing) {
-            result.add(verdict::refused, found.missing->what());
-        }
-    } catch (const error& refusal) {
-        result.add(verdict::refused, refusal.what());
-    } catch (const no_answer& late) {
-        result.add(verdict::undecided, late.what());
-    }
-    return result;
+    return answered(fmt::format("libration reference --problem \"{}\" --time {}", text, time.str()),
+                    [&](outcome& result) {
+                        const auto found = ode::enclosed_solutions(
+                            ode::parse(text), {.spans = {ode::at_time(time_number(time.str()))}, .most_parts = 8},
+                            [](const ball&, long) { require_time_left(); });
+                        if (!found.values.front().empty()) {
+                            const auto& within = found.values.front().front();
+                            const truth below = [&] {
+                                return decayed(cubic, least.value(), rate.value() + real(growth), real(time));
+                            };
+                            const truth above = [&] {
+                                return decayed(cubic, least.value() + real(width), rate.value(), real(time));
+                            };
+                            result.add(judged_end(within.lower, below, -1), "the lower bound of x");
+                            result.add(judged_end(within.upper, above, 1), "the upper bound of x");
+                        }
+                        if (found.missing) {
+                            result.add(verdict::refused, found.missing->what());
+                        }
+                    });
 }
 
 }  // namespace libration::attack

@@ -81,22 +81,16 @@ ode::conditions_at_times condition_of(const ode::equation_system& system, const 
 outcome ask_unknown(choices& next) {
     const asked_unknown asked = any_unknown(next);
     const long digits = next.between(1, 60);
-    outcome result;
-    result.command =
-        announce(fmt::format("libration find --problem \"{}\" --unknown \"{}\" --such-that \"{}\" --digits {}",
-                             asked.text, asked.name, asked.condition, digits));
-    try {
-        const auto system = ode::parse(asked.text);
-        const auto found = ode::proved_unknowns(system, {asked.name}, condition_of(system, asked.condition), digits, {},
-                                                [](const ball&, long) { require_time_left(); })
-                               .front();
-        result.add(judged(found, digits, asked.value), fmt::format("{} = {}", asked.name, found.text));
-    } catch (const no_answer& late) {
-        result.add(verdict::undecided, late.what());
-    } catch (const error& refusal) {
-        result.add(verdict::refused, refusal.what());
-    }
-    return result;
+    return answered(fmt::format("libration find --problem \"{}\" --unknown \"{}\" --such-that \"{}\" --digits {}",
+                                asked.text, asked.name, asked.condition, digits),
+                    [&](outcome& result) {
+                        const auto system = ode::parse(asked.text);
+                        const auto found =
+                            ode::proved_unknowns(system, {asked.name}, condition_of(system, asked.condition), digits,
+                                                 {}, [](const ball&, long) { require_time_left(); })
+                                .front();
+                        result.add(judged(found, digits, asked.value), fmt::format("{} = {}", asked.name, found.text));
+                    });
 }
 
 // u' = a u - w v - b u (u^2 + v^2), v' = w u + a v - b v (u^2 + v^2): the circle of radius sqrt(a/b), period 2 pi/w;
@@ -121,23 +115,17 @@ outcome ask_orbit(choices& next) {
     const std::string text = fmt::format("x' = {0}; y' = {1}+{2}*x*({0}); x(0) = {3:.6f}; y(0) = {4:.6f}", of_u, of_v,
                                          2 * k, near, static_cast<double>(k) * near * near);
     const long digits = next.between(1, 30);
-    outcome result;
-    result.command = announce(fmt::format("libration find --problem \"{}\" --periodic --digits {}", text, digits));
-    try {
-        const auto orbit =
-            ode::proved_periodic_orbit(system_of(text), digits, {}, [](const ball&, long) { require_time_left(); });
-        const truth period = [=] { return mpfr(8 * atan(mpfr(1)) / w.value()); };
-        result.add(judged(orbit.period, digits, period), "period = " + orbit.period.text);
-        // One coordinate is fixed: at (r, 0) the other one moves along the section. With k = 0 that is y = 0.
-        if (k == 0) {
-            result.add(judged(orbit.start[0], digits, radius), "x = " + orbit.start[0].text);
-        }
-    } catch (const no_answer& late) {
-        result.add(verdict::undecided, late.what());
-    } catch (const error& refusal) {
-        result.add(verdict::refused, refusal.what());
-    }
-    return result;
+    return answered(
+        fmt::format("libration find --problem \"{}\" --periodic --digits {}", text, digits), [&](outcome& result) {
+            const auto orbit =
+                ode::proved_periodic_orbit(system_of(text), digits, {}, [](const ball&, long) { require_time_left(); });
+            const truth period = [=] { return mpfr(8 * atan(mpfr(1)) / w.value()); };
+            result.add(judged(orbit.period, digits, period), "period = " + orbit.period.text);
+            // One coordinate is fixed: at (r, 0) the other one moves along the section. With k = 0 that is y = 0.
+            if (k == 0) {
+                result.add(judged(orbit.start[0], digits, radius), "x = " + orbit.start[0].text);
+            }
+        });
 }
 
 }  // namespace libration::attack

@@ -199,11 +199,9 @@ std::optional<std::vector<magnitude>> kept_by_map(const tape& of, const norms_of
     std::vector<magnitude> s = defect;
     const magnitude inflation = magnitude(9U) / 8U;
     // In a chain of unknowns a defect reaches one more of them with each attempt; these attempts are not counted.
-    for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    for (int attempt = 0; attempt < most_attempts;) {
         const auto next = image(s);
-        if (nonzero(next) > nonzero(s)) {
-            --attempt;
-        }
+        attempt += nonzero(next) > nonzero(s) ? 0 : 1;
         if (!std::ranges::all_of(next, [](const magnitude& each) { return each.is_finite(); })) {
             return std::nullopt;
         }
