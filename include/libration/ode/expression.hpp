@@ -163,6 +163,8 @@ using replacement = std::function<std::optional<expression>(const expression& le
 
 /// The expression with its leaves replaced; shared subexpressions are replaced once.
 expression replaced(const expression& in, const replacement& by);
+/// The same for any nodes: `by` is called for each one, of which the operands of those that it replaces have no effect.
+expression with_nodes_replaced(const expression& in, const replacement& by);
 
 /// d e / d leaf with all other leaves fixed; the leaf is the variable, an unknown or one of its derivatives, or a
 /// parameter.

@@ -71,24 +71,31 @@ void each_leaf(const expression& e, const std::function<void(const expression& l
     }
 }
 
-expression replaced(const expression& in, const replacement& by) {
+expression with_nodes_replaced(const expression& in, const replacement& by) {
     node_values<expression> done;
     return done.of(in, [&](const expression& e) -> expression {
+        if (const auto other = by(e)) {
+            return *other;
+        }
         switch (e.kind()) {
-            case node_kind::constant: return e;
             case node_kind::sum: return done.at(e.left()) + done.at(e.right());
             case node_kind::product: return done.at(e.left()) * done.at(e.right());
             case node_kind::quotient: return done.at(e.left()) / done.at(e.right());
             case node_kind::power: return pow(done.at(e.left()), done.at(e.right()));
             case node_kind::function:
-                return e.has_order() ? apply(e.function(), replaced(e.right(), by), done.at(e.left()))
+                return e.has_order() ? apply(e.function(), with_nodes_replaced(e.right(), by), done.at(e.left()))
                                      : apply(e.function(), done.at(e.left()));
+            case node_kind::constant:
             case node_kind::variable:
             case node_kind::unknown:
             case node_kind::parameter: break;
         }
-        return by(e).value_or(e);
+        return e;
     });
+}
+
+expression replaced(const expression& in, const replacement& by) {
+    return with_nodes_replaced(in, [&](const expression& e) { return is_leaf(e) ? by(e) : std::nullopt; });
 }
 
 expression partial(const expression& e, const expression& leaf) {
