@@ -7,6 +7,7 @@
 
 #include "libration/scalar/ball/ball.hpp"
 #include "libration/scalar/text/decimal.hpp"
+#include "libration/scalar/text/printed_number.hpp"
 #include "scalars.hpp"
 
 namespace libration::tests {
@@ -14,6 +15,14 @@ namespace libration::tests {
 inline std::string text_of(const ball& x) {
     return is_finite(x) ? to_decimal(midpoint_of(x), 60) + " +/- " + to_decimal(midpoint_of(radius_of(x)), 3)
                         : "all numbers";
+}
+
+/// The printed decimal is less than one unit of its last digit away from the number.
+inline bool within_a_unit(const proved_decimal& printed, const ball& number, long digits) {
+    const precision_scope scope(digits + 30);
+    mpfr value;
+    mpfr_set_str(handle(value), printed.text.c_str(), 10, MPFR_RNDN);
+    return certainly_less(abs(ball(value) - number), abs(number) * pow(ball(10), 1 - digits));
 }
 
 /// The ball contains the expected value, up to the uncertainty of that one, and its radius is at most ulps * epsilon *

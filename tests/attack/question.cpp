@@ -50,7 +50,7 @@ running_questions& running() {
 
 const std::vector<statement_kind>& statement_kinds() {
     static const std::vector<statement_kind> all{
-        {"value", "unknowns at a time", 330, ask_value},
+        {"value", "unknowns at a time", 320, ask_value},
         {"special function", "solutions by functions of mpmath, alone and beside others", 30, ask_special_function},
         {"event", "times of events, and the unknowns there", 160, ask_event},
         {"count", "events before a time", 100, ask_count},
@@ -64,6 +64,7 @@ const std::vector<statement_kind>& statement_kinds() {
         {"algebraic", "unknowns of algebraic equations", 10, ask_algebraic},
         {"jump", "events that change the solution", 10, ask_jump},
         {"branch", "piecewise right-hand sides", 10, ask_branch},
+        {"root of time", "values across, from and up to a time with a root", 10, ask_root_time},
         {"limit", "limits at equilibria", 10, ask_limit},
         {"delay", "solutions with a constant delay", 10, ask_delay},
         {"set", "bounds of all solutions of a set", 10, ask_set},

@@ -41,6 +41,7 @@ outcome ask_refusal(choices& next);
 outcome ask_algebraic(choices& next);
 outcome ask_jump(choices& next);
 outcome ask_branch(choices& next);
+outcome ask_root_time(choices& next);
 outcome ask_limit(choices& next);
 outcome ask_delay(choices& next);
 outcome ask_set(choices& next);

@@ -108,7 +108,8 @@ TEST_CASE("what a study of an equation cannot be asked is refused", "[command][p
     check_refused({"study", "radius_map", "--problem", "y' = y; y(0) = 1", "--orders", "2"}, {"--orders", "2"});
 }
 
-// sin(t)/t for n = 1, which is even; the initial behaviour of Thomas and Fermi's solution is not a polynomial.
+// sin(t)/t for n = 1, which is even; Thomas and Fermi's solution is proved in powers of sqrt(t), and that of Lane and Emden
+// for n = 3/2 is not.
 TEST_CASE("verify proves from a regular singular start where it can, and says where not",
           "[command][problem][verify]") {
     const temporary_folder folder;
@@ -123,7 +124,12 @@ TEST_CASE("verify proves from a regular singular start where it can, and says wh
     CHECK(before.exit_code == 0);
     CHECK(before.err.find("1 rows are compared with values on which two computations agree") != std::string::npos);
     std::ofstream(folder.path() / "file.csv") << "t,y\n1,0.424\n";
-    const auto agreed = run_libration(verify + words{"thomas_fermi", "--tolerance", "1e-3"}, folder.path());
+    const auto atom = run_libration(verify + words{"thomas_fermi", "--tolerance", "1e-3"}, folder.path());
+    CHECK(atom.exit_code == 0);
+    CHECK(atom.err.find("not proved") == std::string::npos);
+    std::ofstream(folder.path() / "file.csv") << "t,y\n1,0.845\n";
+    const auto agreed =
+        run_libration(verify + words{"lane_emden", "--set", "n=3/2", "--tolerance", "1e-3"}, folder.path());
     CHECK(agreed.exit_code == 0);
     CHECK(agreed.err.find("not proved") != std::string::npos);
 }

@@ -32,6 +32,7 @@ DISCS = "ode/proved/complex_disc_test.cpp"
 BOUNDS = "ode/proved/radius_bounds_test.cpp"
 SINGULAR = "ode/proved/singular_step_test.cpp"
 ROUTES = "ode/proved/proof_route_test.cpp"
+ROOTS = "ode/proved/root_time_test.cpp"
 SETS = "ode/proved/solution_sets_test.cpp"
 SYSTEMS = "ode/singularity/systems_test.cpp"
 EVENTS = "ode/proved/proved_events_test.cpp"
@@ -499,7 +500,7 @@ FAULTS = [
         "src/libration/ode/proved/needed_bits.hpp", ["ode/proved/scale_test.cpp", EVENTS],
         ("a value that contains 0 as 0", "known.decimal = to_proved_decimal(value, digits);",
          "known.decimal = contains_zero(value) ? std::optional(proved_decimal{\"0\", \"0\"}) : to_proved_decimal(value, digits);"),
-        sources=("src/libration/ode/proved/proved_trajectory.cpp", "src/libration/ode/proved/proved_events.cpp"),
+        sources=("src/libration/ode/proved/proved_trajectory.cpp", "src/libration/ode/proved/events/proved_events.cpp"),
     ),
     *in_file(
         ROOM + "scalar/ball/decimal.hpp", ["ode/proved/scale_test.cpp"],
@@ -636,7 +637,7 @@ FAULTS = [
          "with_leaves(value.value, leaves, now)"),
     ),
     *in_file(
-        "src/libration/ode/proved/event_search.cpp", [EVENTS],
+        "src/libration/ode/proved/events/event_search.cpp", [EVENTS],
         ("a piece passed over", "for (unsigned long k = first_pieces; k-- > 0;) {",
          "for (unsigned long k = first_pieces; --k > 0;) {"),
         ("the sign behind the start forgotten", "sign_ = start_.beside(direction_);", "sign_ = 1;"),
@@ -652,11 +653,33 @@ FAULTS = [
          "each.beyond && last && known_sign((*last - march_.reached()) * direction_ - each.from) <= 0", "each.beyond"),
     ),
     *in_file(
-        "src/libration/ode/proved/event_list.hpp", [EVENTS],
+        "src/libration/ode/proved/events/event_list.hpp", [EVENTS],
         ("any event taken for one before the end",
          "if (arb_is_nonnegative(ball((last - time) * (direction < 0 ? -1 : 1)).handle()) != 0) {", "if (true) {"),
         ("the numbers of one event given to another", "const bool is_new = found_ == known_.size();\n        known_event event =",
          "const bool is_new = found_ == known_.size();\n        known_event event = !known_.empty() ? known_[0] :"),
+    ),
+    *in_file(
+        "src/libration/ode/proved/root_time.cpp", [ROOTS],
+        ("the factor under a cube root forgotten", "cbrt(expression(root.slope) * expression(about.side))", "expression(1)"),
+        ("the factor of dt/dw forgotten", "return expression(about.degree * about.side) *", "return expression(about.side) *"),
+        ("the exponents of a sum not brought to the least one", "return {least, factored_power{a - least, left}.product() + factored_power{b - least, right}.product()};",
+         "return {least, left + right};"),
+    ),
+    *in_file(
+        "src/libration/ode/proved/root_phase.cpp", [ROOTS],
+        ("the first of several times taken for all", "return hull(exact_root(lower, about.degree), exact_root(upper, about.degree));",
+         "return exact_root(lower, about.degree);"),
+        ("slopes before the step taken for slopes at the time", "return slopes_in_root(w, values_in_root(w));",
+         "return slopes_in_root(inner_->reached(), values_in_root(w));"),
+        ("the values in the middle of a ball taken for all", "middle[k] + slopes[k] * gone", "middle[k]"),
+    ),
+    *in_file(
+        "src/libration/ode/proved/march_collocation.cpp", [ROOTS],
+        ("the time before the way into a root taken for that after it",
+         "roots_->begin(set_, derivative_.has_value());\n    time_ = roots_->time();", "roots_->begin(set_, derivative_.has_value());"),
+        ("the set before a root taken for the set after it", "    set_ = roots_->set();\n", ""),
+        ("the derivative of the flow across a root forgotten", "        derivative_ = product(roots_->derivative(), *derivative_);\n", ""),
     ),
     *in_file(
         "src/libration/ode/proved/linear_flow.cpp", ["ode/proved/linear_flow_test.cpp"],

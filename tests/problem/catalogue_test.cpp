@@ -173,6 +173,7 @@ TEST_CASE("the catalogue has the problems it promises", "[problem][catalogue]") 
                                    "detest_f2",
                                    "detest_f3",
                                    "detest_f4",
+                                   "detest_f5",
                                    "akzo_nobel",
                                    "transistor_amplifier",
                                    "cartesian_pendulum",

@@ -16,6 +16,7 @@ namespace ode_proved_proved_events_test {
 
 using namespace libration;
 using namespace libration::ode;
+using tests::within_a_unit;
 
 namespace {
 
@@ -27,14 +28,6 @@ std::vector<printed_event> events_of(const std::string& text, const std::string&
     request.count = count;
     request.way = way;
     return proved_events(explicit_system(system), request, digits);
-}
-
-// The printed decimal is less than one unit of its last digit away from the number.
-bool within_a_unit(const proved_decimal& printed, const ball& number, long digits) {
-    const precision_scope scope(digits + 30);
-    mpfr value;
-    mpfr_set_str(handle(value), printed.text.c_str(), 10, MPFR_RNDN);
-    return certainly_less(abs(ball(value) - number), abs(number) * pow(ball(10), 1 - digits));
 }
 
 }  // namespace

@@ -27,7 +27,9 @@ struct cbrt_function {
     static constexpr rounded_function rounded = mpfr_cbrt;
     template <class Real>
     static void real_ball(Real* y, const Real* x, long bits) {
-        if (arb_is_negative(x)) {
+        if (arb_is_zero(x)) {
+            arb_zero(y);  // of which arb_root_ui is not a number
+        } else if (arb_is_negative(x)) {
             arb_neg(y, x);
             arb_root_ui(y, y, 3, bits);
             arb_neg(y, y);

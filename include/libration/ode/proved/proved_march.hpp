@@ -18,6 +18,7 @@
 namespace libration::ode {
 
 class collocation_phase;
+class root_phase;
 
 /// Progress callback, called occasionally between two steps with the time reached by a run and the bits it began with.
 /// An exception that it throws ends the run, which can be continued afterwards.
@@ -40,6 +41,9 @@ enum class march_end {
 /// integrator of theorem K (rigorous/collocation_integrator.hpp) continues from the same set, until no mode is fast. It
 /// integrates the polynomial form, from the image of the set under the added unknowns (rigorous/lifted_set.hpp), and
 /// the set of the given unknowns continues. This requires no derivative of the flow.
+///
+/// Along the way of prepare_towards(), times with roots (root_time.hpp) are crossed by steps in a root of the distance
+/// from them, in which the solution is analytic.
 ///
 /// The unknowns are those of the given system with their lower derivatives; the other unknowns of theorem T
 /// (lifted_system) are computed from them in each step. The precision decreases as the set grows: digits below its
@@ -123,7 +127,13 @@ private:
     proved_march(const explicit_system& system, state_set start, const std::vector<ball>& hull, long bits,
                  long error_bits, march_watch watch, const proof_route& route);
     proved_march(singular_step begin, long bits, march_watch watch, long error_bits, const proof_route& route);
+    friend class root_phase;
 
+    ball distance_to(const ball& target) const;
+    void move(const proved_step& prepared, const ball& distance);
+    void enter_roots(int direction);
+    void step_in_root(int direction);
+    void leave_roots();
     void make_step();
     bool expand_centre();
     bool expand_set();
@@ -161,6 +171,7 @@ private:
     std::vector<ball> before_;
     std::optional<explicit_system> singular_;  ///< if it begins after a singular initial point
     std::unique_ptr<collocation_phase> collocation_;
+    std::unique_ptr<root_phase> roots_;  ///< if there are times with roots
     step_observer observer_;
     bool used_ = false;  ///< whether the present step has been used
 };

@@ -11,6 +11,7 @@
 #include "libration/ode/proved/proved_march.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"
+#include "root_phase.hpp"
 
 namespace libration::ode {
 
@@ -55,6 +56,16 @@ bool proved_march::begins_collocation(const proved_step& step, const ball& rest)
 }
 
 const enclosed_step* proved_march::prepare_towards(const ball& rest) {
+    const int direction = arb_is_negative(rest.handle()) != 0 ? -1 : 1;
+    if (roots_) {
+        roots_->drop_entry();
+    }
+    if (roots_ && roots_->is_active()) {
+        if (roots_->leads_towards(direction)) {
+            return roots_->prepare() ? roots_.get() : static_cast<const enclosed_step*>(stopped(roots_->end()));
+        }
+        leave_roots();
+    }
     if (collocation_->is_active()) {
         if (!contains_zero(rest) && collocation_->prepare()) {
             return collocation_.get();
@@ -62,10 +73,41 @@ const enclosed_step* proved_march::prepare_towards(const ball& rest) {
         end_collocation();
     }
     const proved_step* const step = prepare();
-    if (step != nullptr && !step->reaches(rest) && begins_collocation(*step, rest)) {
-        return collocation_.get();
+    if (step == nullptr || step->reaches(rest)) {
+        return step;
     }
-    return step;
+    if (const enclosed_step* const entry = roots_ ? roots_->entry(time_, *step, direction) : nullptr) {
+        return entry;
+    }
+    return begins_collocation(*step, rest) ? static_cast<const enclosed_step*>(collocation_.get()) : step;
+}
+
+void proved_march::enter_roots(int direction) {
+    use_step(direction);
+    move(*now_, roots_->prepared_entry()->distance());
+    roots_->begin(set_, derivative_.has_value());
+    time_ = roots_->time();
+    count_steps(1);
+}
+
+void proved_march::step_in_root(int direction) {
+    use_step(direction);
+    roots_->step();
+    time_ = roots_->time();
+    used_ = false;
+    count_steps(1);
+}
+
+void proved_march::leave_roots() {
+    set_ = roots_->set();
+    if (derivative_) {
+        derivative_ = product(roots_->derivative(), *derivative_);
+    }
+    if (now_) {
+        now_->ready_ = false;
+    }
+    used_ = false;
+    roots_->leave();
 }
 
 void proved_march::use_prepared(const ball& time, int direction) {
@@ -74,7 +116,11 @@ void proved_march::use_prepared(const ball& time, int direction) {
 }
 
 void proved_march::take_prepared(int direction) {
-    if (collocation_->is_active()) {
+    if (roots_ && roots_->is_active()) {
+        step_in_root(direction);
+    } else if (roots_ && roots_->prepared_entry()) {
+        enter_roots(direction);
+    } else if (collocation_->is_active()) {
         step_of_collocation();
     } else {
         take(*now_, direction);
@@ -134,6 +180,12 @@ void proved_march::use_step(int direction) {
 }
 
 step_report proved_march::report_of_step(int direction) const {
+    if (roots_ && roots_->is_active()) {
+        const double length = as_double(roots_->length_of_step());
+        return {as_double(time_),          direction < 0 ? -length : length,
+                roots_->prepared().bits(), roots_->prepared().order(),
+                step_method::taylor,       log2_of_relative_width(roots_->set().hull())};
+    }
     if (collocation_->is_active()) {
         const collocation_integrator& by = collocation_->integrator();
         return {as_double(time_), as_double(by.length()),   by.bits(),

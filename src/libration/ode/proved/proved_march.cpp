@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "../rigorous/matrix/dense_matrix.hpp"
 #include "collocation_phase.hpp"
 #include "libration/ode/step.hpp"
 #include "libration/scalar/ball/predicates.hpp"
+#include "root_phase.hpp"
 #include "set_values.hpp"
 
 namespace libration::ode {
@@ -29,7 +31,13 @@ constexpr double significant_uncertainty = -12;
 constexpr double excess_growth = 0.3;
 constexpr int most_halvings_for_width = 5;
 
+// From an initial point with roots of the distance from it the first steps are those of a root_phase.
+bool begins_at_root(const explicit_system& system) { return system.singular() && system.singular()->root > 1; }
+
 singular_step begin_of(const explicit_system& system, long bits, const proof_route& route) {
+    if (begins_at_root(system)) {
+        return {first_order_form(system).about_points(system.point()), enclosed_start(system, bits), {}};
+    }
     return system.singular() ? proved_singular_step(system, bits, route)
                              : singular_step{system, enclosed_start(system, bits), {}};
 }
@@ -53,7 +61,15 @@ proved_march::~proved_march() = default;
 proved_march::proved_march(const explicit_system& system, long bits, march_watch watch, long error_bits,
                            const proof_route& route)
     : proved_march(begin_of(system, bits, route), bits, std::move(watch), error_bits, route) {
-    if (system.singular()) {
+    if (begins_at_root(system)) {
+        const precision_scope scope(decimal_digits(bits));
+        if (!roots_) {
+            roots_ = std::make_unique<root_phase>(system, std::vector<root_time>(), bits, error_bits, route);
+        }
+        roots_->begin_at_start(system);
+        time_ = roots_->time();
+        before_ = roots_->before();
+    } else if (system.singular()) {
         singular_ = system;
     }
 }
@@ -88,6 +104,9 @@ proved_march::proved_march(const explicit_system& system, state_set start, const
       watch_(std::move(watch)),
       collocation_(std::make_unique<collocation_phase>(lifted_, bits, route)) {
     require_integrator();
+    if (auto times = root_times(system); !times.empty()) {
+        roots_ = std::make_unique<root_phase>(system, std::move(times), bits, error_bits, route);
+    }
     const precision_scope scope(decimal_digits(bits));
     time_ = constant_value<ball>::of(system.point());
     origin_ = time_;
@@ -239,9 +258,14 @@ void proved_march::shorten_for_width() {
 
 void proved_march::take(const proved_step& prepared, int direction) {
     use_step(direction);
+    move(prepared, direction < 0 ? -prepared.length().exact() : prepared.length().exact());
+    count_steps(1);
+}
+
+// The set, and the derivative of the flow, to this distance within the step.
+void proved_march::move(const proved_step& prepared, const ball& distance) {
     used_ = false;
     const precision_scope scope(decimal_digits(prepared.bits()));
-    const ball distance = direction < 0 ? -prepared.length().exact() : prepared.length().exact();
     const auto image = prepared.flow_of_centre(distance);
     std::vector<magnitude> added;
     for (std::size_t i = 0; i < image.size(); ++i) {
@@ -256,7 +280,6 @@ void proved_march::take(const proved_step& prepared, int direction) {
         derivative_ = product(map, *derivative_);
     }
     set_.errors = set_.errors.image(map, added);
-    count_steps(1);
 }
 
 void proved_march::count_steps(long count) {
@@ -275,6 +298,9 @@ void proved_march::keep_derivative() {
         require_integrator();
         return;
     }
+    if (roots_ && roots_->is_active()) {
+        roots_->keep_derivative();
+    }
     derivative_ = ball_matrix(lifted_.given);
     for (std::size_t i = 0; i < lifted_.given; ++i) {
         for (std::size_t j = 0; j < lifted_.given; ++j) {
@@ -287,9 +313,11 @@ void proved_march::keep_derivative() {
 ball_matrix proved_march::derivative_at(const ball& time) const {
     const precision_scope few(decimal_digits(set_bits_));
     const ball distance = time - time_;
-    return product(
-        collocation_->is_active() ? collocation_->derivative_at(distance) : now_->derivative_of_flow(distance),
-        *derivative_);
+    const bool in_root = roots_ && roots_->is_active();
+    return product(in_root                     ? roots_->derivative_at(distance)
+                   : collocation_->is_active() ? collocation_->derivative_at(distance)
+                                               : now_->derivative_of_flow(distance),
+                   *derivative_);
 }
 
 std::optional<std::vector<ball>> proved_march::at(const number& time) {
@@ -297,11 +325,19 @@ std::optional<std::vector<ball>> proved_march::at(const number& time) {
     return at(constant_value<ball>::of(time));
 }
 
+// Without rounding between exact times, so that the end of a step is in it.
+ball proved_march::distance_to(const ball& target) const {
+    ball distance;
+    const bool exact = is_exact(target) && is_exact(time_);
+    arb_sub(distance.handle(), target.handle(), time_.handle(), exact ? ARF_PREC_EXACT : ball::working_bits());
+    return distance;
+}
+
 std::optional<std::vector<ball>> proved_march::at(const ball& target) {
     const precision_scope scope(decimal_digits(bits_) + 20);
     try {
         for (;;) {
-            const ball distance = target - time_;
+            const ball distance = distance_to(target);
             const int direction = arb_is_negative(distance.handle()) != 0 ? -1 : 1;
             const enclosed_step* const step = prepare_towards(distance);
             if (step == nullptr) {

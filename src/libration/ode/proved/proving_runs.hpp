@@ -104,6 +104,7 @@ public:
                       ? linear_flow::of(system)
                       : std::nullopt),
           done_(times.size()),
+          ends_{times.size(), times.size()},
           bits_(digits) {
         part_.states.resize(times.size());
     }
@@ -134,8 +135,9 @@ private:
         bool forward = true;
         long steps = 0;  // before those of `march`
         std::optional<std::size_t> at_zero;
-        for (const asked_time& each : order_) {
-            if (done_[each.index] || ended_[each.forward ? 1 : 0]) {
+        for (std::size_t place = 0; place < order_.size(); ++place) {
+            const asked_time& each = order_[place];
+            if (done_[each.index] || place >= ends_[each.forward ? 1 : 0]) {
                 continue;
             }
             auto state = state_in_closed_form(each.index);
@@ -154,6 +156,7 @@ private:
             }
             if (!state) {
                 if (ends(*march, each)) {
+                    ends_[forward ? 1 : 0] = place;
                     continue;
                 }
                 bits_.raise_to(bits_to_go_on(*march, each.index), "time", text_of(each.index));
@@ -205,7 +208,6 @@ private:
             require_more_bits(march, times_[at.index], at.forward);
             return false;
         } catch (const error& problem) {
-            ended_[at.forward ? 1 : 0] = true;
             miss(problem);
             return true;
         }
@@ -288,7 +290,7 @@ private:
     bool constant_;  ///< the solution is constant, and nothing else is requested
     std::optional<linear_flow> linear_;
     std::vector<bool> done_;
-    std::array<bool, 2> ended_{};                   ///< backwards and forwards
+    std::array<std::size_t, 2> ends_;  ///< the places of the first times not reached, backwards and forwards
     std::array<collocation_use, 2> collocation_{};  ///< of the last runs
     partial_trajectory part_;
     needed_bits bits_;

@@ -2,7 +2,7 @@
 #include <string>
 #include <utility>
 
-#include "../../proved/event_list.hpp"
+#include "../../proved/events/event_list.hpp"
 #include "libration/ode/hybrid/proved/hybrid_trajectory.hpp"
 #include "path_limits.hpp"
 

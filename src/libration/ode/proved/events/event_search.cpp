@@ -67,7 +67,8 @@ void event_search::require_no_event_before_first_step(const ball& start) {
                     "has a singular initial point, and events are searched only after it");
     }
     expression_values<ball> values(form_.leaves, hull(start, march_.reached()));
-    for (const ball& each : march_.before()) {
+    const bool begins_at_start = march_.before().empty();
+    for (const ball& each : begins_at_start ? march_.set().hull() : march_.before()) {
         values.push_back(each);
     }
     sign_ = known_sign(values.of(g_));

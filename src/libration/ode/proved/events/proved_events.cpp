@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "condition_system.hpp"
+#include "../condition_system.hpp"
 #include "event_list.hpp"
 #include "libration/scalar/error.hpp"
 

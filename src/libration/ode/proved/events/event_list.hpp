@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "../needed_bits.hpp"
 #include "libration/ode/proved/proved_events.hpp"
 #include "libration/scalar/error.hpp"
-#include "needed_bits.hpp"
 
 namespace libration::ode {
 
