@@ -336,6 +336,17 @@ module libration
             integer(c_long), value :: digits
             type(c_ptr), intent(out) :: limits
         end function
+        function libration_problem_enclosures(problem, times, most_parts, digits, watch, context, bounds) bind(c)
+            import :: c_ptr, c_char, c_long, c_int, c_funptr
+            integer(c_int) :: libration_problem_enclosures
+            type(c_ptr), value :: problem
+            character(kind=c_char), intent(in) :: times(*)
+            integer(c_long), value :: most_parts
+            integer(c_long), value :: digits
+            type(c_funptr), value :: watch
+            type(c_ptr), value :: context
+            type(c_ptr), intent(out) :: bounds
+        end function
         function libration_problem_find(problem, unknowns, conditions, digits, watch, context, values) bind(c)
             import :: c_ptr, c_char, c_long, c_int, c_funptr
             integer(c_int) :: libration_problem_find

@@ -143,7 +143,10 @@ void libration_motion_free(libration_motion *motion);
 /* ---- Any differential equation. ---- */
 
 /* The text of a problem, "x'' = -sin(x); x(0) = 2; x'(0) = 0", or without = a name of the catalogue, "lorenz"; and
- * parameters or initial values to be changed, "r = 28; x(0) = 1/2", or NULL. */
+ * parameters or initial values to be changed, "r = 28; x(0) = 1/2", or NULL. With intervals for
+ * some of them, "x(0) = [0.9, 1.1]", it has bounds (libration_problem_enclosures). With events, piecewise right-hand sides or
+ * delays it has values at times (libration_problem_states, libration_problem_flow from its initial state) and, without
+ * delays, events; the other functions return ARGUMENT. */
 int libration_problem_new(const char *text, const char *settings, libration_problem **problem);
 /* The unknowns and their lower derivatives, x, x', in the order of the columns of states. */
 size_t libration_problem_size(const libration_problem *problem);
@@ -190,6 +193,13 @@ int libration_problem_singularities(const libration_problem *problem, const char
  * approaches, or by a lemma on the problem. UNDECIDED if neither is found; it also gives a table if a value is not
  * distinguished from 0, which is then 0 as in libration_problem_known_states. */
 int libration_problem_limits(const libration_problem *problem, long digits, libration_table **limits);
+/* Bounds of all solutions of a problem whose initial values or parameters are intervals, "x(0) = [0.9, 1.1]; b = 1 +-
+ * 0.1", or of the single solution: at times, and over spans of time, "1, 0:10", in at most so many parts of the set
+ * (64 is usual). from, to, unknown, lower, upper: a row for each time and unknown; between two decimals, rounded outwards,
+ * lie its values in all solutions at all of these times, proved. UNDECIDED also gives a table, of the times that all
+ * solutions are proved to reach. The callback is called in integrations, with 0. */
+int libration_problem_enclosures(const libration_problem *problem, const char *times, long most_parts, long digits,
+                                 libration_watch watch, void *context, libration_table **bounds);
 /* The first `count` times after the initial point at which a condition on the unknowns holds, "x' = 1/2": time and one
  * column for each name, proved, without omissions. UNDECIDED also gives a table, of the first ones, if there are not as
  * many within 5000 steps each or before the solution ends, and if a number of one is not distinguished from 0: it is then
@@ -242,9 +252,9 @@ void libration_problem_free(libration_problem *problem);
  * step, amplified by the equations; nothing is proved. `starts` has the state at time `begin`, in the order of the names,
  * of `solutions` solutions, row by row; NULL, with 1 solution, is the initial point of the problem itself. `values` gets
  * solutions x times x names numbers; nan at times that are not reached since the steps become too small, near a
- * singularity. ARGUMENT for nan and infinities, and for starts at a singular initial point. Four or more solutions run in
- * lock step in the lanes of SIMD vectors, with the same values; this thread alone is used, and several can share a problem.
- * The callback is called after each solution, or some of them. */
+ * singularity. ARGUMENT for nan and infinities, for starts at a singular initial point, and for starts of a problem with
+ * events or delays. Four or more solutions run in lock step in the lanes of SIMD vectors, with the same values; this thread
+ * alone is used, and several can share a problem. The callback is called after each solution, or some of them. */
 int libration_problem_flow(const libration_problem *problem, double begin, size_t solutions, const double *starts,
                            size_t count, const double *times, libration_watch watch, void *context, double *values);
 /* The same with a row of `numbers` for each solution, the values of the parameters and initial values `names`, "r, x(0)".

@@ -209,6 +209,22 @@ class Problem:
         compared = Table._of(self._problem.verify(",".join(self.names), texts, values, "tolerance = 1"))
         return Table(["time", "condition"], list(zip(compared["time"], compared["condition"])))
 
+    def enclosures(self, times: Any, digits: int = 50, parts: int = 64, exact: bool = True) -> Table:
+        """Bounds of all solutions of a problem whose initial values or parameters are intervals, x="[0.9, 1.1]",
+        b="1 +- 0.1", or of the single solution: at times, and over all times of a span, "0:10" or (0, 10), in a list. A
+        Table with the columns from, to, unknown, lower, upper, rounded outwards and proved. The set is divided into at most
+        `parts` parts. Raises UndecidedError for times that not all solutions are proved to reach; its `partial` has the
+        others."""
+        spans = times if isinstance(times, list) else [times]
+        texts = [
+            ":".join(text_of(end, "time", exact) for end in each) if isinstance(each, tuple) else times_text(each, exact)[0]
+            for each in spans
+        ]
+        try:
+            return Table._of(self._problem.enclosures(",".join(texts), parts, digits))
+        except UndecidedError as problem:
+            raise _with_partial(problem, Table._of) from None
+
     def events(
         self, condition: str, count: int = 1, digits: int = 50, certificate: str | PathLike[str] | None = None
     ) -> Table:

@@ -188,3 +188,36 @@ def test_certificates(tmp_path):
         lb.check(file)
     with pytest.raises(lb.ArgumentError, match="fractions"):
         p.reference("pi/4", 15, certificate=file)
+
+
+def test_a_bouncing_ball():
+    # It falls from 1 to 0 at t = 1, and leaves with the speed 1: x = s - s^2, s = t - 1, up to t = 2.
+    ball = lb.problem("x'' = -2; x(0) = 1; x'(0) = 0; when x = 0 down: x' = -x'/2")
+    assert ball.reference("3/2", 20)["x"].fraction() == Fraction(1, 4)
+    assert [str(time) for time in ball.events("x = 0", count=2, digits=5)["time"]] == ["1.0000", "2.0000"]
+    floats = ball.trajectory([0.5, 1.25])["x"]
+    assert abs(floats - [0.75, 0.1875]).max() < 1e-14
+    with pytest.raises(lb.ArgumentError, match="is an event"):
+        ball.trajectory([1], starts={"x": [1, 2]})
+
+
+def test_all_solutions_of_a_set():
+    # x = x0 e^(b t), which increases with x0 and b.
+    growth = lb.problem("x' = b*x; x(0) = [0.9, 1.1]; b = [1, 2]")
+    assert growth.names == ["x"]
+    at, over = growth.enclosures([1, (0, "1/2")], digits=20)
+    assert (over["from"].fraction(), over["to"].fraction()) == (0, Fraction(1, 2))
+    for row, time in ((at, 1), (over, 0.5)):
+        upper = mpmath.mpf(11) / 10 * mpmath.exp(2 * time)
+        assert upper <= row["upper"].mpmath() < upper * 1.1
+    lower = mpmath.mpf(9) / 10 * mpmath.e
+    assert lower * 0.9 < at["lower"].mpmath() <= lower
+    with pytest.raises(lb.ArgumentError, match="interval"):
+        growth.reference(1)
+
+
+def test_a_delay():
+    delayed = lb.problem("x' = x(t - 1); x(t <= 0) = 1")
+    assert delayed.reference(2, 20)["x"].fraction() == Fraction(7, 2)
+    with pytest.raises(lb.ArgumentError, match="is delayed"):
+        delayed.radius()

@@ -3,14 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "equation/problem_trajectory.hpp"
 #include "libration/problem/axis.hpp"
-#include "libration/scalar/ball/decimal.hpp"
-#include "libration/scalar/ball/magnitude.hpp"
-#include "libration/scalar/ball/predicates.hpp"
+#include "libration/scalar/ball/outward_decimals.hpp"
 #include "libration/scalar/text/grid.hpp"
 #include "run/ending_signal.hpp"
 #include "run/progress.hpp"
@@ -23,28 +20,6 @@ namespace {
 constexpr int most_parts_of_box = 1'000'000;
 constexpr long most_spans = 100'000;
 constexpr const char* remedy_for_spans = "write a span of times A:B, or A:B:N for N spans of the same length";
-
-// The digits of an end that resolve a thousandth of the width of its interval.
-long digits_of_end(const ball& end, const ball& width, long most) {
-    constexpr long least = 6;
-    constexpr double digits_of_width = 4;
-    if (contains_zero(width)) {
-        return most;
-    }
-    const double scale = (log_of(magnitude(end)) - log_of(magnitude(width))) / std::log2(10.0);
-    return std::min(most, std::max(least, static_cast<long>(std::ceil(std::max(scale, 0.0) + digits_of_width))));
-}
-
-std::string rounded_end(const ball& end, const ball& width, long most, mpfr_rnd_t rounding) {
-    const mpfr exactly = midpoint_of(end);
-    return exactly == 0 ? "0" : parts_of(exactly, digits_of_end(end, width, most), rounding).text();
-}
-
-// Decimals between which the interval lies.
-std::pair<std::string, std::string> outward_decimals(const ode::closed_interval& of, long most) {
-    const ball width = of.upper - of.lower;
-    return {rounded_end(of.lower, width, most, MPFR_RNDD), rounded_end(of.upper, width, most, MPFR_RNDU)};
-}
 
 // A line for each time or span, and one for each unknown.
 partial_table table_of_enclosures(const ode::set_enclosures& found, const std::vector<std::vector<std::string>>& times,
@@ -65,7 +40,7 @@ partial_table table_of_enclosures(const ode::set_enclosures& found, const std::v
         result.text += fmt::format("{}{:<{}}  {}\n", result.text.empty() ? "" : "\n", "time", width,
                                    times[i].size() == 1 ? times[i].front() : times[i][0] + " to " + times[i][1]);
         for (std::size_t k = 0; k < found.names.size(); ++k) {
-            const auto [lower, upper] = outward_decimals(found.values[i][k], digits);
+            const auto [lower, upper] = outward_decimals(found.values[i][k].lower, found.values[i][k].upper, digits);
             result.text += fmt::format("{:<{}}  in [{}, {}]\n", found.names[k], width, lower, upper);
             table_row_cells row;
             for (const std::string& time : times[i]) {

@@ -84,7 +84,7 @@ int libration_problem_certificate(const libration_problem* problem, const char* 
         std::vector<exact> at;
         std::ranges::transform(items_of(list, "times"), std::back_inserter(at),
                                [](const std::string& item) { return given_time("time", item); });
-        write_file(file, certificate_of_states(p.system, at, decimals_of(found, 1, digits), how));
+        write_file(file, certificate_of_states(p.system(), at, decimals_of(found, 1, digits), how));
         return found;
     });
 }
@@ -106,7 +106,7 @@ int libration_problem_event_certificate(const libration_problem* problem, const 
         }
         auto table = table_of_numbers(found);
         const auto rows = decimals_of(table, 0, digits);
-        write_file(file, certificate_of_events(p.system, ode::parse_condition(p.equations, text), 0, rows, how));
+        write_file(file, certificate_of_events(p.system(), ode::parse_condition(p.equations, text), 0, rows, how));
         return table;
     });
 }

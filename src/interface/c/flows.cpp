@@ -1,6 +1,7 @@
 // Solutions in double precision: at many times from many starts, and as the polynomials of their steps.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <span>
 
@@ -8,6 +9,8 @@
 #include "libration/ode/batch/batch_march.hpp"
 #include "libration/ode/batch/varied_problem.hpp"
 #include "libration/ode/step.hpp"
+#include "libration/problem/solution.hpp"
+#include "libration/scalar/dispatch.hpp"
 #include "libration/scalar/text/decimal.hpp"
 
 namespace libration::c {
@@ -139,9 +142,23 @@ bool advances(march& of, double end, bool& done) {
     }
 }
 
+// The solution of equations with events or delays, in double; nan at times that are not reached.
+void write_states(const libration_problem& of, const double* times, std::size_t count, double* values) {
+    std::vector<exact> at;
+    std::transform(times, times + count, std::back_inserter(at), [](double time) { return exactly(rational(time)); });
+    const answer found = solve(problem(of.equations))->states(at, request{.scalar = read_scalar("double")});
+    for (std::size_t k = 0; k < count; ++k) {
+        for (const std::string& name : of.names) {
+            const bool reached = k < found.rows.size() && !found.rows[k].empty();
+            *values++ =
+                reached ? from_exact<double>(read_exact(found.at(k, name))) : std::numeric_limits<double>::quiet_NaN();
+        }
+    }
+}
+
 libration_steps steps_of(const libration_problem& problem, double begin, const double* start, double end) {
-    march of(problem.system);
-    of.begin_at(begin, state_of(problem.system, start));
+    march of(problem.system());
+    of.begin_at(begin, state_of(problem.system(), start));
     libration_steps result{static_cast<std::size_t>(of.order()), {begin}, {}};
     for (bool done = begin == end; !done;) {
         if (result.times.size() > most_steps) {
@@ -150,7 +167,7 @@ libration_steps steps_of(const libration_problem& problem, double begin, const d
                             to_decimal(result.times.back(), 6));
         }
         const std::size_t before = result.coefficients.size();
-        add_polynomials(of, problem.system, result.coefficients);
+        add_polynomials(of, problem.system(), result.coefficients);
         const bool finite = std::all_of(result.coefficients.begin() + static_cast<std::ptrdiff_t>(before),
                                         result.coefficients.end(), [](double x) { return std::isfinite(x); });
         if (!finite || !advances(of, end, done)) {
@@ -177,15 +194,19 @@ int libration_problem_flow(const libration_problem* problem, double begin, size_
         if (solutions * count > 0) {
             given(values, "values");
         }
+        if (starts == nullptr && !problem->ordinary) {
+            write_states(*problem, times, count, values);
+            return;
+        }
         if (starts == nullptr) {
-            march of(problem->system);
-            const double origin = origin_of(problem->system);
+            march of(problem->system());
+            const double origin = origin_of(problem->system());
             write_solution(of, origin, times, ode::in_order_of_steps(origin, {times, count}), size, values);
             return;
         }
-        require_regular(problem->system, begin);
+        require_regular(problem->system(), begin);
         require_finite(starts, solutions * size, "starts");
-        write_solutions(problem->system, {begin, {starts, solutions * size}, {times, count}}, solutions,
+        write_solutions(problem->system(), {begin, {starts, solutions * size}, {times, count}}, solutions,
                         watcher(watch, context), values);
     });
 }
@@ -214,14 +235,14 @@ int libration_problem_varied_flow(const libration_problem* problem, const char* 
         }
         ode::batch_march together(varied.system(), varied.parameters());
         const watcher watched(watch, context);
-        together.run({starts == nullptr ? origin_of(problem->system) : begin, states, {times, count}},
+        together.run({starts == nullptr ? origin_of(problem->system()) : begin, states, {times, count}},
                      {values, solutions * count * size}, [&](std::size_t finished) { watched(finished, solutions); });
     });
 }
 
 int libration_problem_start(const libration_problem* problem, double* time, double* values) {
     return guarded([&] {
-        const ode::explicit_system& system = given(problem, "problem").system;
+        const ode::explicit_system& system = given(problem, "problem").system();
         given(time, "time");
         given(values, "values");
         *time = origin_of(system);
@@ -234,7 +255,7 @@ int libration_problem_start(const libration_problem* problem, double* time, doub
 int libration_steps_new(const libration_problem* problem, double begin, const double* start, double end,
                         libration_steps** steps) {
     return made(steps, [&] {
-        require_regular(given(problem, "problem").system, begin);
+        require_regular(given(problem, "problem").system(), begin);
         require_finite(end, "end");
         require_finite(start, problem->names.size(), "start");
         return steps_of(*problem, begin, start, end);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,8 +44,12 @@ struct libration_motion {
 
 struct libration_problem {
     libration::ode::equation_system equations;
-    libration::ode::explicit_system system;
     std::vector<std::string> names;  ///< of the unknowns and their lower derivatives
+    /// Of equations without events, step functions, delays and intervals.
+    std::optional<libration::ode::explicit_system> ordinary = {};
+
+    /// Throws error of the subject "problem" for other equations.
+    const libration::ode::explicit_system& system() const;
 };
 
 struct libration_steps {

@@ -1,9 +1,11 @@
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
 #include "answers.hpp"
 #include "find_arguments.hpp"
 #include "guarded.hpp"
+#include "libration/ode/proved/solution_sets.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "libration/problem/find.hpp"
 #include "libration/problem/solution.hpp"
@@ -25,8 +27,16 @@ libration_problem make_problem(const std::string& text, const std::string& setti
         change += value;
         read.set(change);
     }
-    const ode::explicit_system system(read.equations());
-    return {read.equations(), system, ode::names_of_state(system)};
+    libration_problem made{read.equations(), {}};
+    if (!made.equations.sets.empty()) {
+        made.names = ode::enclosed_solutions(made.equations, {.spans = {}}).names;
+    } else if (made.equations.is_ordinary()) {
+        made.ordinary.emplace(made.equations);
+        made.names = ode::names_of_state(*made.ordinary);
+    } else {
+        made.names = solve(read)->quantities();
+    }
+    return made;
 }
 
 problem problem_of(const libration_problem* p) { return problem(given(p, "problem").equations); }
@@ -68,6 +78,14 @@ std::optional<double> distance_of(const char* within) {
 
 using namespace libration;
 using namespace libration::c;
+
+const ode::explicit_system& libration_problem::system() const {
+    if (!ordinary) {
+        static_cast<void>(ode::explicit_system(equations));  // throws the reason
+        throw std::logic_error("equations without a system");
+    }
+    return *ordinary;
+}
 
 int libration_problem_new(const char* text, const char* settings, libration_problem** problem) {
     return made(problem, [&] { return make_problem(text_of(text, "problem"), settings == nullptr ? "" : settings); });

@@ -163,7 +163,7 @@ libration_table compared_with_problem(const libration_problem& p, const asked_va
     if (rules.modulo_turn) {
         throw error(error_kind::argument, "modulo", "2pi", "has no meaning for a problem");
     }
-    const auto all = ode::components_of(p.system);
+    const auto all = ode::components_of(p.system());
     std::vector<ode::solution_component> components;
     for (const std::string& name : asked.names) {
         const auto found = std::find(p.names.begin(), p.names.end(), name);
@@ -173,7 +173,7 @@ libration_table compared_with_problem(const libration_problem& p, const asked_va
         }
         components.push_back(all[static_cast<std::size_t>(found - p.names.begin())]);
     }
-    ode::problem_truths truths(p.system, p.equations, components);
+    ode::problem_truths truths(p.system(), p.equations, components);
     return compared(asked, rules, watch, [&](const exact& time) {
         if (time.has_periods()) {
             throw error(error_kind::argument, "time", time.text,

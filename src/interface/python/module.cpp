@@ -215,6 +215,12 @@ void define_problems(py::module_& m) {
     problem.def("limits", [](const problem_object& of, long digits) {
         return known_table([&](auto** to) { return libration_problem_limits(of.handle.get(), digits, to); });
     });
+    problem.def("enclosures", [](const problem_object& of, const std::string& times, long parts, long digits) {
+        return known_table([&](auto** to) {
+            return libration_problem_enclosures(of.handle.get(), times.c_str(), parts, digits, watch_signals, nullptr,
+                                                to);
+        });
+    });
     problem.def("events", [](const problem_object& of, const std::string& condition, long count, long digits) {
         return known_table(
             [&](auto** to) { return libration_problem_events(of.handle.get(), condition.c_str(), count, digits, to); });
