@@ -676,8 +676,8 @@ FAULTS = [
     ),
     *in_file(
         "src/libration/ode/proved/march_collocation.cpp", [ROOTS],
-        ("the time before the way into a root taken for that after it",
-         "roots_->begin(set_, derivative_.has_value());\n    time_ = roots_->time();", "roots_->begin(set_, derivative_.has_value());"),
+        ("the way into a root taken forwards", "move(*now_, roots_->prepared_entry()->distance());",
+         "move(*now_, roots_->prepared_entry()->length_of_step());"),
         ("the set before a root taken for the set after it", "    set_ = roots_->set();\n", ""),
         ("the derivative of the flow across a root forgotten", "        derivative_ = product(roots_->derivative(), *derivative_);\n", ""),
     ),
