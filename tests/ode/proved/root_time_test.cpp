@@ -11,6 +11,7 @@
 #include "libration/ode/parse.hpp"
 #include "libration/ode/proved/proved_events.hpp"
 #include "libration/ode/proved/proved_trajectory.hpp"
+#include "libration/ode/proved/solution_sets.hpp"
 #include "libration/ode/trajectory.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "libration/scalar/ball/predicates.hpp"
@@ -161,6 +162,23 @@ TEST_CASE("events on both sides of a root, and after it, are found", "[ode][prov
     // y = 2/3 t^(3/2), and 2 sqrt(t), whose equation is singular in sqrt(t), too.
     CHECK(times_of("y' = sqrt(t); y(0) = 1", rational(5, 3), 1).front().text.substr(0, 6) == "1.0000");
     CHECK(times_of("y' = 1/sqrt(t); y(0) = 0", rational(2), 1).front().text.substr(0, 6) == "1.0000");
+}
+
+// x = x0 exp(3/4 ((t - 1)^(4/3) - 1)) increases with x0: at t = 2 it is x0, and at t = 1 least.
+TEST_CASE("sets of solutions cross a root", "[ode][proved][root_time][sets]") {
+    const auto growth = parse("x' = cbrt(t - 1)*x; x(0) = [0.9, 1.1]");
+    const auto found = enclosed_solutions(growth, {.spans = {at_time(typed("2")), {typed("0"), typed("2")}}});
+    REQUIRE_FALSE(found.missing);
+    const precision_scope scope(30);
+    const auto between = [](const closed_interval& of, const ball& lower, const ball& upper) {
+        CHECK_FALSE(certainly_less(lower, of.lower));
+        CHECK_FALSE(certainly_less(of.upper, upper));
+        const ball width = upper - lower;
+        CHECK(certainly_less(lower - of.lower, width / 4));
+        CHECK(certainly_less(of.upper - upper, width / 4));
+    };
+    between(found.values[0][0], ball(9) / 10, ball(11) / 10);
+    between(found.values[1][0], ball(9) / 10 * exp(ball(-3) / 4), ball(11) / 10);
 }
 
 TEST_CASE("the derivative of the flow continues through a root, and from it", "[ode][proved][root_time]") {

@@ -86,6 +86,9 @@ void proved_march::enter_roots(int direction) {
     use_step(direction);
     move(*now_, roots_->prepared_entry()->distance());
     roots_->begin(set_, derivative_.has_value());
+    if (scales_.accepts_any_width()) {
+        roots_->accept_any_width();
+    }
     time_ = roots_->time();
     count_steps(1);
 }

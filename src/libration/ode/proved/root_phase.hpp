@@ -45,7 +45,8 @@ public:
     /// Begins at an initial point with a series in powers of (t - t0)^(1/degree), at t0 or, if the equation in w is
     /// singular, after its first step. Throws like proved_singular_step.
     void begin_at_start(const explicit_system& system);
-    /// To be called before the first step from there.
+    /// To be called before the first step from there: as of proved_march from a set of any width, and with the derivative.
+    void accept_any_width() { inner_->scales_.accept_any_width(); }
     void keep_derivative() { inner_->keep_derivative(); }
     /// Enclosures of all values before the time where it begins.
     const std::vector<ball>& before() const { return inner_->before(); }
