@@ -592,7 +592,18 @@ FAULTS = [
         "src/libration/ode/proved/equilibrium/stable_zero.cpp", ["ode/proved/limit_at_equilibrium_test.cpp"],
         ("a box that does not contain its image", "return i < r; })) {", "return i < r || true; })) {"),
         ("a coupling of modes", "growth += norm_of(sizes_in_basis", "growth -= norm_of(sizes_in_basis"),
+        ("zeros of some slopes taken for zeros of all", "if (!std::ranges::all_of(slopes,", "if (std::ranges::none_of(slopes,"),
         ("the neighborhood of the zero alone", "box[i] = widened(zero[i], reach);", "box[i] = zero[i];"),
+    ),
+    *in_file(
+        "src/libration/ode/proved/equilibrium/reduced_field.cpp", ["ode/proved/limit_at_equilibrium_test.cpp"],
+        ("the slope of a logarithm forgotten", "    if (sums_.logarithms[e][k] != 0) {\n        result +=",
+         "    if (false) {\n        result +="),
+        ("a logarithm without its initial value", "log(kept[k] / start)", "log(kept[k])"),
+    ),
+    *in_file(
+        "src/libration/ode/proved/equilibrium/conserved_sums.cpp", ["ode/proved/limit_at_equilibrium_test.cpp"],
+        ("an unknown determined by its own logarithm", "if (implicit == terms.size()) {", "if (true) {"),
     ),
     *in_file(
         "src/libration/ode/delay/proved/delay_march.hpp", [DELAYS],

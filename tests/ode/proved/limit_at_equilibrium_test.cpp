@@ -8,6 +8,7 @@
 #include "libration/ode/parse.hpp"
 #include "libration/ode/proved/equilibrium/stable_zero.hpp"
 #include "libration/problem/catalogue.hpp"
+#include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/scalar.hpp"
 
 namespace limit_at_equilibrium_test {
@@ -72,6 +73,34 @@ TEST_CASE("conserved sums are eliminated", "[ode][proved][limit]") {
     const mpfr x = (p - sqrt(mpfr(p * p - 8))) / 2;
     CHECK(abs(mpfr(mpfr(found[1]) - x)) <= pow(mpfr(10), -25));
     CHECK(abs(mpfr(mpfr(found[0]) - (1 - x))) <= pow(mpfr(10), -25));
+}
+
+// What an epidemic leaves: N - S = -g/b log(S/S(0)), N all of those at the beginning, by Lambert's W.
+mpfr left_by_epidemic(const char* b, const char* g, long susceptible, long others) {
+    const mpfr rate = mpfr(g) / mpfr(b);
+    ball w(mpfr(-susceptible / rate * exp(mpfr(-(susceptible + others) / rate))));
+    arb_lambertw(w.handle(), w.handle(), 0, ball::working_bits());
+    return mpfr(-rate * midpoint_of(w));
+}
+
+TEST_CASE("epidemics end on the manifold of their logarithmic sum", "[ode][proved][limit]") {
+    const auto left = [](const std::string& problem) { return decimals_of(std::string(problem_text(problem)), 20); };
+    const auto check = [](const std::string& decimal, const mpfr& truth) {
+        CHECK(abs(mpfr(mpfr(decimal) - truth)) <= truth * pow(mpfr(10), -19));
+    };
+    const precision_scope scope(40);
+    const auto seir = left("seir");
+    check(seir[0], left_by_epidemic("0.0178", "2.73", 254, 7));
+    CHECK((seir[1] == "0" && seir[2] == "0"));
+    const auto japan = left("sir_japan");
+    check(japan[0], left_by_epidemic("2.9236e-5", "0.0164", 4206, 2));
+    CHECK(japan[1] == "0");
+    // In the other order of the unknowns, so that S is the first choice for elimination.
+    const auto turned = decimals_of("I' = S*I/10 - I; S' = -S*I/10; I(0) = 1; S(0) = 20", 20);
+    check(turned[1], left_by_epidemic("0.1", "1", 20, 1));
+    CHECK(turned[0] == "0");
+    // A negative unknown: S = log(-S), the omega constant.
+    CHECK(decimals_of("S' = -S*I; I' = S*I - I; S(0) = -1; I(0) = 1", 20)[0] == "-0.56714329040978387300");
 }
 
 ode::reduced_field field_of(const std::string& text) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "libration/ode/node_values.hpp"
+#include "libration/scalar/error.hpp"
 
 namespace libration::ode {
 
@@ -147,47 +148,140 @@ private:
     std::map<std::size_t, std::vector<rational>> rows_;
 };
 
-// The combinations of the slopes that vanish are the kernel of the equations "the factor of each product is 0".
-echelon_form equations_of_sums(const std::vector<expression>& slopes) {
+// p/y for a variable y that divides each product; std::nullopt if it does not.
+std::optional<polynomial> divided_by(const polynomial& p, std::size_t y) {
+    polynomial result;
+    for (const auto& [product, factor] : p) {
+        const auto place = std::ranges::find(product, y);
+        if (place == product.end()) {
+            return std::nullopt;
+        }
+        monomial rest = product;
+        rest.erase(rest.begin() + (place - product.begin()));
+        result.emplace(std::move(rest), factor);
+    }
+    return result;
+}
+
+// A term of a relation: an unknown or its logarithm, and its derivative along the solution.
+struct term {
+    std::size_t unknown;
+    bool logarithm;
+    polynomial slope;
+};
+
+bool is_nonzero(const number& start) {
+    try {
+        return start.sign() != 0;
+    } catch (const error&) {
+        return false;  // not decided
+    }
+}
+
+// Logarithms first.
+std::vector<term> terms_of(const first_order_form& of) {
     expansion all;
-    std::map<monomial, std::vector<rational>> factors;
-    for (std::size_t i = 0; i < slopes.size(); ++i) {
-        for (const auto& [product, factor] : all.of(slopes[i])) {
-            factors.try_emplace(product, slopes.size(), rational(0)).first->second[i] = factor;
+    std::vector<term> logarithms;
+    std::vector<term> unknowns;
+    for (std::size_t i = 0; i < of.slopes.size(); ++i) {
+        const polynomial slope = all.of(of.slopes[i]);
+        unknowns.push_back({i, false, slope});
+        const std::size_t y = all.of(of.leaves[i]).begin()->first.front();
+        if (auto relative = slope.empty() ? std::nullopt : divided_by(slope, y); relative && is_nonzero(of.starts[i])) {
+            logarithms.push_back({i, true, *std::move(relative)});
         }
     }
-    echelon_form equations(slopes.size());
+    logarithms.insert(logarithms.end(), unknowns.begin(), unknowns.end());
+    return logarithms;
+}
+
+// The combinations of the terms that are constant are the kernel of the equations "the factor of each product is 0".
+echelon_form equations_of(const std::vector<term>& terms) {
+    std::map<monomial, std::vector<rational>> factors;
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+        for (const auto& [product, factor] : terms[i].slope) {
+            factors.try_emplace(product, terms.size(), rational(0)).first->second[i] = factor;
+        }
+    }
+    echelon_form equations(terms.size());
     for (auto& each : factors) {
         equations.add(std::move(each.second));
     }
     return equations;
 }
 
-std::optional<echelon_form> bounded_equations_of_sums(const std::vector<expression>& slopes) {
+std::vector<term> bounded_terms_of(const first_order_form& of) {
     try {
-        return equations_of_sums(slopes);
+        return terms_of(of);
     } catch (const too_many_terms&) {
-        return std::nullopt;
+        return {};
     }
+}
+
+// The first unknown of which the logarithm occurs in a relation although it is eliminated; the number of terms if none.
+std::size_t first_implicit(const std::vector<term>& terms, const echelon_form& equations) {
+    const auto is_eliminated = [&](std::size_t unknown) {
+        const auto own =
+            std::ranges::find_if(terms, [&](const term& each) { return !each.logarithm && each.unknown == unknown; });
+        return !equations.has_pivot(static_cast<std::size_t>(own - terms.begin()));
+    };
+    for (std::size_t e = 0; e < terms.size(); ++e) {
+        for (std::size_t p = 0; p < terms.size() && !terms[e].logarithm && !equations.has_pivot(e); ++p) {
+            if (terms[p].logarithm && equations.has_pivot(p) && equations.of_kernel(p, e) != 0 &&
+                is_eliminated(terms[p].unknown)) {
+                return terms[p].unknown;
+            }
+        }
+    }
+    return terms.size();
+}
+
+// The terms in an order in which no unknown is eliminated whose logarithm a relation contains; without logarithms if
+// none of those tried is.
+std::vector<term> ordered_terms(const first_order_form& of) {
+    std::vector<term> terms = bounded_terms_of(of);
+    const auto first_unknown = [&] { return std::ranges::find(terms, false, &term::logarithm); };
+    for (std::size_t tried = 0; tried < of.slopes.size(); ++tried) {
+        const std::size_t implicit = first_implicit(terms, equations_of(terms));
+        if (implicit == terms.size()) {
+            return terms;
+        }
+        const auto own =
+            std::ranges::find_if(terms, [&](const term& each) { return !each.logarithm && each.unknown == implicit; });
+        std::rotate(first_unknown(), own, own + 1);
+    }
+    std::erase_if(terms, [](const term& each) { return each.logarithm; });
+    return terms;
 }
 
 }  // namespace
 
 conserved_sums conserved_sums_of(const first_order_form& of) {
-    const auto equations = bounded_equations_of_sums(of.slopes);
+    const std::vector<term> terms = ordered_terms(of);
+    const echelon_form equations = equations_of(terms);
     conserved_sums result;
+    std::vector<std::size_t> places;  // of the eliminated unknowns among the terms
     for (std::size_t k = 0; k < of.slopes.size(); ++k) {
-        (!equations || equations->has_pivot(k) ? result.kept : result.eliminated).push_back(k);
-    }
-    for (const std::size_t e : result.eliminated) {
-        number constant = of.starts[e];
-        auto& row = result.coefficients.emplace_back();
-        for (const std::size_t k : result.kept) {
-            const rational c = equations->of_kernel(k, e);
-            row.push_back(-c);
-            constant = c == 0 ? constant : constant + of.starts[k] * number(c);
+        const auto own =
+            std::ranges::find_if(terms, [&](const term& each) { return !each.logarithm && each.unknown == k; });
+        const auto place = static_cast<std::size_t>(own - terms.begin());
+        if (own == terms.end() || equations.has_pivot(place)) {
+            result.kept.push_back(k);
+        } else {
+            result.eliminated.push_back(k);
+            places.push_back(place);
         }
-        result.constants.push_back(constant);
+    }
+    for (const std::size_t e : places) {
+        auto& row = result.coefficients.emplace_back(result.kept.size());
+        auto& logarithms = result.logarithms.emplace_back(result.kept.size());
+        for (std::size_t p = 0; p < terms.size(); ++p) {
+            const auto kept = std::ranges::find(result.kept, terms[p].unknown);
+            if (equations.has_pivot(p) && kept != result.kept.end()) {
+                auto& of_term = terms[p].logarithm ? logarithms : row;
+                of_term[static_cast<std::size_t>(kept - result.kept.begin())] = -equations.of_kernel(p, e);
+            }
+        }
     }
     return result;
 }

@@ -81,7 +81,7 @@ private:
             if (!zero || !is_approached(field_, *zero, kept)) {
                 return best;
             }
-            best = printed(field_.state_of(*zero));
+            best = printed(state_at_zero(field_, *zero));
             if (all_have_digits(*best)) {
                 return best;
             }

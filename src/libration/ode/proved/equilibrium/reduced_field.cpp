@@ -30,13 +30,48 @@ std::vector<ball> reduced_field::state_of(const std::vector<ball>& kept) const {
         state[sums_.kept[k]] = kept[k];
     }
     for (std::size_t i = 0; i < sums_.eliminated.size(); ++i) {
-        ball value = constant_value<ball>::of(sums_.constants[i]);
+        ball value = start_of(sums_.eliminated[i]);
         for (std::size_t k = 0; k < kept.size(); ++k) {
-            value += constant_value<ball>::of(number(sums_.coefficients[i][k])) * kept[k];
+            const ball start = start_of(sums_.kept[k]);
+            value += from_rational<ball>(sums_.coefficients[i][k]) * (kept[k] - start);
+            if (sums_.logarithms[i][k] != 0) {
+                value += from_rational<ball>(sums_.logarithms[i][k]) * log(kept[k] / start);
+            }
         }
         state[sums_.eliminated[i]] = std::move(value);
     }
     return state;
+}
+
+ball reduced_field::start_of(std::size_t unknown) const { return constant_value<ball>::of(form_.starts[unknown]); }
+
+std::vector<ball> reduced_field::slopes_of_state(const std::vector<ball>& state) const {
+    expression_values<ball> values(form_.leaves, ball(0));
+    for (const ball& each : state) {
+        values.push_back(each);
+    }
+    std::vector<ball> result;
+    for (const expression& each : form_.slopes) {
+        result.push_back(values.of(each));
+    }
+    return result;
+}
+
+std::vector<ball> reduced_field::eliminated_of(const std::vector<ball>& kept) const {
+    const auto state = state_of(kept);
+    std::vector<ball> result;
+    for (const std::size_t e : sums_.eliminated) {
+        result.push_back(state[e]);
+    }
+    return result;
+}
+
+ball reduced_field::relation_slope(std::size_t e, std::size_t k, const std::vector<ball>& kept) const {
+    ball result = from_rational<ball>(sums_.coefficients[e][k]);
+    if (sums_.logarithms[e][k] != 0) {
+        result += from_rational<ball>(sums_.logarithms[e][k]) / kept[k];
+    }
+    return result;
 }
 
 expression_values<ball> reduced_field::values_at(const std::vector<ball>& kept) const {
@@ -63,8 +98,7 @@ dense_matrix reduced_field::derivative(const std::vector<ball>& kept) const {
         for (std::size_t j = 0; j < size(); ++j) {
             ball entry = values.of(partials_[i][sums_.kept[j]]);
             for (std::size_t e = 0; e < sums_.eliminated.size(); ++e) {
-                entry += values.of(partials_[i][sums_.eliminated[e]]) *
-                         constant_value<ball>::of(number(sums_.coefficients[e][j]));
+                entry += values.of(partials_[i][sums_.eliminated[e]]) * relation_slope(e, j, kept);
             }
             result(i, j) = std::move(entry);
         }

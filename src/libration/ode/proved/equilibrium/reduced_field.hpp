@@ -24,10 +24,18 @@ public:
     /// The whole state.
     std::vector<ball> state_of(const std::vector<ball>& kept) const;
     std::vector<ball> slopes(const std::vector<ball>& kept) const;
+    /// The eliminated unknowns, and the derivative of one of them by a kept one.
+    std::vector<ball> eliminated_of(const std::vector<ball>& kept) const;
+    ball relation_slope(std::size_t e, std::size_t k, const std::vector<ball>& kept) const;
+    /// The indices in the state of the eliminated unknowns.
+    const std::vector<std::size_t>& eliminated() const { return sums_.eliminated; }
+    /// All slopes at any state.
+    std::vector<ball> slopes_of_state(const std::vector<ball>& state) const;
     /// By rows: the derivative of each of the slopes by each kept unknown, also through the eliminated ones.
     dense_matrix derivative(const std::vector<ball>& kept) const;
 
 private:
+    ball start_of(std::size_t unknown) const;
     expression_values<ball> values_at(const std::vector<ball>& kept) const;
 
     first_order_form form_;

@@ -25,19 +25,24 @@ std::vector<ball> at_places(const std::vector<ball>& of, const place_list& place
     return result;
 }
 
-// As many of the slopes as of the unknowns; the other unknowns are fixed.
+// As many functions as unknowns; the other unknowns are fixed. The functions are some of the slopes, or some of the
+// eliminated unknowns.
 struct part_of_field {
     const reduced_field& f;
-    place_list slopes, unknowns;
+    place_list functions, unknowns;
+    bool of_eliminated = false;
 
     std::size_t size() const { return unknowns.size(); }
-    std::vector<ball> at(const std::vector<ball>& x) const { return at_places(f.slopes(x), slopes); }
+    std::vector<ball> at(const std::vector<ball>& x) const {
+        return at_places(of_eliminated ? f.eliminated_of(x) : f.slopes(x), functions);
+    }
     dense_matrix derivative(const std::vector<ball>& x) const {
-        const dense_matrix whole = f.derivative(x);
+        const dense_matrix whole = of_eliminated ? dense_matrix(0, 0) : f.derivative(x);
         dense_matrix result(size(), size());
         for (std::size_t i = 0; i < size(); ++i) {
             for (std::size_t j = 0; j < size(); ++j) {
-                result(i, j) = whole(slopes[i], unknowns[j]);
+                result(i, j) =
+                    of_eliminated ? f.relation_slope(functions[i], unknowns[j], x) : whole(functions[i], unknowns[j]);
             }
         }
         return result;
@@ -125,6 +130,15 @@ std::optional<std::vector<ball>> zero_in_box(const part_of_field& f, const std::
     return std::nullopt;
 }
 
+// A zero of the part, near `at`, in a box.
+std::optional<std::vector<ball>> zero_inside(const part_of_field& part, const std::vector<ball>& at,
+                                             const std::vector<ball>& box) {
+    auto found = zero_in_box(part, at);
+    const bool inside =
+        found && std::ranges::equal(box, *found, [](const ball& a, const ball& b) { return contains(a, b); });
+    return inside ? found : std::nullopt;
+}
+
 // The same zero with exact zeros for the unknowns that contain 0, if the slopes that do not vanish with them determine
 // the other ones.
 std::optional<std::vector<ball>> with_exact_zeros(const reduced_field& f, const std::vector<ball>& zero) {
@@ -142,16 +156,48 @@ std::optional<std::vector<ball>> with_exact_zeros(const reduced_field& f, const 
     const auto slopes = f.slopes(box);
     for (std::size_t k = 0; k < slopes.size(); ++k) {
         if (arb_is_zero(slopes[k].handle()) == 0) {
-            part.slopes.push_back(k);
+            part.functions.push_back(k);
         }
     }
-    if (part.size() == zero.size() || part.slopes.size() != part.size()) {
+    if (part.size() == zero.size() || part.functions.size() != part.size()) {
         return std::nullopt;
     }
-    auto other = zero_in_box(part, at);
-    const bool inside =
-        other && std::ranges::equal(zero, *other, [](const ball& a, const ball& b) { return contains(a, b); });
-    return inside ? other : std::nullopt;
+    return zero_inside(part, at, zero);
+}
+
+// The whole state of the same zero with exact zeros for the unknowns that contain 0, eliminated ones too, if all slopes
+// vanish with them: as many kept unknowns are determined by the eliminated ones that are 0.
+std::optional<std::vector<ball>> state_with_exact_zeros(const reduced_field& f, const std::vector<ball>& zero) {
+    std::vector<ball> state = f.state_of(zero);
+    for (ball& each : state) {
+        each = contains_zero(each) ? ball(0) : each;
+    }
+    const auto slopes = f.slopes_of_state(state);
+    if (!std::ranges::all_of(slopes, [](const ball& each) { return arb_is_zero(each.handle()) != 0; })) {
+        return std::nullopt;
+    }
+    std::vector<ball> at = zero;
+    part_of_field part{f, {}, {}, true};
+    for (std::size_t k = 0; k < zero.size(); ++k) {
+        at[k] = contains_zero(zero[k]) ? ball(0) : midpoint_alone(zero[k]);
+        if (!contains_zero(zero[k])) {
+            part.unknowns.push_back(k);
+        }
+    }
+    for (std::size_t e = 0; e < f.eliminated().size(); ++e) {
+        if (arb_is_zero(state[f.eliminated()[e]].handle()) != 0) {
+            part.functions.push_back(e);
+        }
+    }
+    const auto other = part.functions.size() == part.size() ? zero_inside(part, at, zero) : std::nullopt;
+    if (!other) {
+        return std::nullopt;
+    }
+    auto found = f.state_of(*other);
+    for (std::size_t k = 0; k < state.size(); ++k) {
+        found[k] = arb_is_zero(state[k].handle()) != 0 ? ball(0) : found[k];
+    }
+    return found;
 }
 
 // An upper bound of the logarithmic norm of a diagonal block in the Euclidean norm [Gershgorin, symmetric part].
@@ -219,6 +265,11 @@ std::optional<std::vector<ball>> enclosed_zero(const reduced_field& f, const std
         }
     }
     return zero;
+}
+
+std::vector<ball> state_at_zero(const reduced_field& f, const std::vector<ball>& zero) {
+    auto exact = state_with_exact_zeros(f, zero);
+    return exact ? *std::move(exact) : f.state_of(zero);
 }
 
 bool is_approached(const reduced_field& f, const std::vector<ball>& zero, const std::vector<ball>& states) {

@@ -13,6 +13,9 @@ namespace libration::ode {
 /// invariant subspace have its exact zeros. In the working precision; std::nullopt if none is proved.
 std::optional<std::vector<ball>> enclosed_zero(const reduced_field& f, const std::vector<ball>& near);
 
+/// The whole state at this zero, with exact zeros for all unknowns with which the right-hand sides vanish.
+std::vector<ball> state_at_zero(const reduced_field& f, const std::vector<ball>& zero);
+
 /// Whether every solution through one of these states approaches the zero, by theorem Q in one of the bases of
 /// decay_basis.hpp.
 bool is_approached(const reduced_field& f, const std::vector<ball>& zero, const std::vector<ball>& states);
