@@ -19,7 +19,7 @@ constexpr long most_parts_of_set = 1'000'000;
 std::pair<exact, exact> span_of(const std::string& item) {
     const auto colon = item.find(':');
     const auto time = [](const std::string& text) { return given_time("times", trimmed(text)); };
-    const std::pair ends{time(item.substr(0, colon)), time(colon == std::string::npos ? item : item.substr(colon + 1))};
+    std::pair ends{time(item.substr(0, colon)), time(colon == std::string::npos ? item : item.substr(colon + 1))};
     for (const exact& each : {ends.first, ends.second}) {
         if (!each.is_number()) {
             throw error(error_kind::argument, "times", item, "is neither a time nor a span from one to another");

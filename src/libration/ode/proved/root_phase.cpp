@@ -56,8 +56,8 @@ magnitude least_root(const magnitude& distance, int degree) {
 }  // namespace
 
 root_phase::root_phase(const explicit_system& of, std::vector<root_time> times, long bits, long error_bits,
-                       const proof_route& route)
-    : form_(of), times_(std::move(times)), bits_(bits), error_bits_(error_bits), route_(route) {}
+                       proof_route route)
+    : form_(of), times_(std::move(times)), bits_(bits), error_bits_(error_bits), route_(std::move(route)) {}
 
 // Exact, and not shorter than the distance; it is longer only if the time of the roots is no dyadic number.
 ball root_phase::entry_step::length_of_step() const {

@@ -30,8 +30,7 @@ public:
         ball distance_;
     };
 
-    root_phase(const explicit_system& of, std::vector<root_time> times, long bits, long error_bits,
-               const proof_route& route);
+    root_phase(const explicit_system& of, std::vector<root_time> times, long bits, long error_bits, proof_route route);
 
     bool is_active() const { return inner_ != nullptr; }
     /// The part of a step from this time that leads to where the phase is to begin, because it is short as roots are
