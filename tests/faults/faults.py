@@ -670,6 +670,11 @@ FAULTS = [
          "const bool is_new = found_ == known_.size();\n        known_event event = !known_.empty() ? known_[0] :"),
     ),
     *in_file(
+        "src/libration/ode/proved/proving_runs.hpp", ["ode/proved/scale_test.cpp"],
+        ("a time beyond the end ends those before it", "ends_[forward ? 1 : 0] = place;", "ends_[forward ? 1 : 0] = 0;"),
+        sources=("src/libration/ode/proved/proved_trajectory.cpp",),
+    ),
+    *in_file(
         "src/libration/ode/proved/root_time.cpp", [ROOTS],
         ("the factor under a cube root forgotten", "cbrt(expression(root.slope) * expression(about.side))", "expression(1)"),
         ("the factor of dt/dw forgotten", "return expression(about.degree * about.side) *", "return expression(about.side) *"),

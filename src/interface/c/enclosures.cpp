@@ -1,6 +1,6 @@
 // Bounds of sets of solutions.
-#include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "answers.hpp"

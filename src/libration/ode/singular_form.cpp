@@ -113,6 +113,9 @@ private:
         if (e.function() == function_kind::sqrt) {
             return {inner.exponent / 2, sqrt(inner.rest)};
         }
+        if (e.function() == function_kind::cbrt) {
+            return {inner.exponent / 3, cbrt(inner.rest)};
+        }
         if (inner.exponent < 0) {
             throw error(
                 error_kind::argument, "problem", "",

@@ -45,13 +45,8 @@ outcome ask_delay(choices& next) {
             const auto found =
                 ode::proved_part_of_delay(ode::delay_system(ode::parse(growth.text())), {time_number(typed)}, digits,
                                           [](const ball&, long) { require_time_left(); });
-            if (!found.states.front().empty()) {
-                add_number(
-                    result, found.states.front().front(), digits, [&] { return growth.value(time); }, "x");
-            }
-            if (found.missing) {
-                result.add(verdict::refused, found.missing->what());
-            }
+            add_first_value(
+                result, found, digits, [&] { return growth.value(time); }, "x");
         });
 }
 

@@ -85,12 +85,7 @@ outcome ask_branch(choices& next) {
                             const mpfr t = real(time);
                             return t <= until ? mpfr(a.value() * t) : mpfr(c.value() + b.value() * (t - until));
                         };
-                        if (!found.states.front().empty()) {
-                            add_number(result, found.states.front().front(), digits, exact, "x");
-                        }
-                        if (found.missing) {
-                            result.add(verdict::refused, found.missing->what());
-                        }
+                        add_first_value(result, found, digits, exact, "x");
                     });
 }
 

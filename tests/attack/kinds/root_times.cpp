@@ -48,7 +48,7 @@ growth_with_root any_growth(choices& next) {
     growth_with_root result{any_constant(next), any_constant(next), any_constant(next), rational(1, 3), 0, 0};
     const rational before = decimal_fraction(next.between(1, 3000), 3);
     if (next.one_in(2)) {
-        result.begins = next.one_in(2) ? before : rational(-before);
+        result.begins = next.one_in(4) ? rational(0) : next.one_in(2) ? before : rational(-before);
         return result;
     }
     const long degree = next.between(2, 5);
@@ -75,13 +75,8 @@ outcome ask_root_time(choices& next) {
         [&](outcome& result) {
             const auto found = ode::proved_part_of_trajectory(system_of(growth.text()), {time_number(typed)}, digits,
                                                               [](const ball&, long) { require_time_left(); });
-            if (!found.states.front().empty()) {
-                add_number(
-                    result, found.states.front().front(), digits, [&] { return growth.value(away); }, "y");
-            }
-            if (found.missing) {
-                result.add(verdict::refused, found.missing->what());
-            }
+            add_first_value(
+                result, found, digits, [&] { return growth.value(away); }, "y");
         });
 }
 

@@ -112,6 +112,8 @@ TEST_CASE("solutions begin and end at a root", "[ode][proved][root_time]") {
     });
     check("y'' = sqrt(t); y(0) = 1; y'(0) = 0", after,
           [](const ball& t) { return ball(1) + ball(4) * power_of_size(t, 5, 2) / 15; });
+    check("y' = cbrt(t - 1)*y; y(1) = 1", {"1", "1.0001", "3"},
+          [](const ball& t) { return exp(primitive_of_cube_root(t - 1)); });
     // Up to the last time at which the root is real, and not beyond it.
     const std::string ends = "y' = (1 - t)^(1/3)*y; y(0) = 1";
     check(ends, {"1/2", "1"}, [](const ball& t) { return exp(ball(3) / 4 - primitive_of_cube_root(t - 1)); });

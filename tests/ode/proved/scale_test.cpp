@@ -226,6 +226,12 @@ TEST_CASE("a time beyond the end leaves those before it", "[ode][proved]") {
     CHECK(part.states[1][0].decimal->text == "2.00000000000000");
     CHECK(part.states[1][1].decimal->text == "1.64872127070013");
     CHECK(part.states[2][0].decimal->text == "0.500000000000000");
+    // x = u - 2 + 1e-60 at t = 1/2 needs more bits than the first run has, which meets the end already.
+    const auto cancelled =
+        part_of("u' = u^2; x' = u^2; u(0) = 1; x(0) = -1 + 1e-60", {number(rational(1, 2)), number(rational(2))}, 20);
+    CHECK(cancelled.missing);
+    REQUIRE(cancelled.states[0][1].decimal);
+    CHECK(cancelled.states[0][1].decimal->text == "1.0000000000000000000e-60");
 }
 
 // At an equilibrium only the derivative of the flow has a time scale.
