@@ -48,7 +48,7 @@ growth_with_root any_growth(choices& next) {
     growth_with_root result{any_constant(next), any_constant(next), any_constant(next), rational(1, 3), 0, 0};
     const rational before = decimal_fraction(next.between(1, 3000), 3);
     if (next.one_in(2)) {
-        result.begins = next.one_in(4) ? rational(0) : next.one_in(2) ? before : rational(-before);
+        result.begins = next.one_in(2) ? before : rational(-before);
         return result;
     }
     const long degree = next.between(2, 5);
