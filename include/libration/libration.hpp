@@ -1,5 +1,5 @@
-// All that the library promises without FLINT. Each room has a face of its own (pendulum/pendulum.hpp,
-// series/series.hpp), which compiles faster; pendulum/digits.hpp is the lightest start.
+// The public interface of the target libration::libration, which does not need FLINT. Including the header of one folder
+// (pendulum/pendulum.hpp, series/series.hpp) compiles faster; pendulum/digits.hpp is the smallest.
 #pragma once
 
 #include "libration/algebra/algebra.hpp"

@@ -1,4 +1,4 @@
-// All that the library promises, with proved arithmetic; needs the target libration::proved.
+// The public interface of the target libration::proved: everything in libration.hpp, and proved arithmetic.
 #pragma once
 
 #include "libration/approximant/proved/approximant.hpp"

@@ -29,6 +29,7 @@ public:
 
     bool is_active() const { return active_; }
     /// A step counts as so many of Taylor series, which take about as long.
+    long bits_of_steps() const;
     long cost_of_step() const;
     /// The reason why the route, by collocation, is not possible; empty if it is.
     std::string obstacle(bool with_derivative) const;
