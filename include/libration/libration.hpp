@@ -1,5 +1,5 @@
-// The public interface of the target libration::libration, which does not need FLINT. Including the header of one folder
-// (pendulum/pendulum.hpp, series/series.hpp) compiles faster; pendulum/digits.hpp is the smallest.
+// The public interface of the target libration::libration, which does not need FLINT. The header of a single folder, such
+// as pendulum/pendulum.hpp or series/series.hpp, compiles faster.
 #pragma once
 
 #include "libration/algebra/algebra.hpp"

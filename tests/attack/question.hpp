@@ -79,7 +79,7 @@ outcome answered(const std::string& command, const Answer& answer) {
 /// Adds the verdict on the digits of a number, or on its bound.
 void add_number(outcome& to, const ode::known_value& number, long digits, const truth& exact, const std::string& name);
 
-/// The same on the first unknown at the first time, or on the reason why it is missing.
+/// The same for the first unknown at the first time, or the reason why it is missing.
 template <class Part>
 void add_first_value(outcome& to, const Part& found, long digits, const truth& exact, const std::string& name) {
     if (!found.states.front().empty()) {

@@ -15,11 +15,11 @@
 
 namespace libration::tests {
 
-/// The seconds after which a program is ended; with the sanitizers it takes several times as long as without.
+/// After so many seconds a program is killed. With the sanitizers it takes several times as long as without.
 #ifdef __SANITIZE_ADDRESS__
-inline constexpr unsigned most_seconds = 300;
+inline constexpr unsigned time_limit_seconds = 300;
 #else
-inline constexpr unsigned most_seconds = 60;
+inline constexpr unsigned time_limit_seconds = 60;
 #endif
 
 /// The arguments of a command line.
@@ -70,7 +70,7 @@ inline finished_process run_libration(const words& given, const std::filesystem:
         if (redirect(input.c_str(), O_RDONLY, STDIN_FILENO) &&
             redirect(out.c_str(), O_WRONLY | O_CREAT, STDOUT_FILENO) &&
             redirect(err.c_str(), O_WRONLY | O_CREAT, STDERR_FILENO) && ::chdir(folder.c_str()) == 0) {
-            ::alarm(most_seconds);
+            ::alarm(time_limit_seconds);
             ::execv(arguments.front(), arguments.data());
         }
         ::_exit(127);

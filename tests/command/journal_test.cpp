@@ -16,6 +16,7 @@
 #include <thread>
 #include <vector>
 
+#include "command/child_process.hpp"
 #include "command/printed.hpp"
 #include "text/table.hpp"
 
@@ -50,7 +51,7 @@ pid_t start(words given, const temporary_folder& folder) {
     if (child == 0) {
         const int file = ::open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
         if (::dup2(file, STDERR_FILENO) >= 0 && ::chdir(folder.path().c_str()) == 0) {
-            ::alarm(60);
+            ::alarm(time_limit_seconds);
             ::execv(arguments.front(), arguments.data());
         }
         ::_exit(127);

@@ -39,7 +39,7 @@ HWY_INLINE void store(vector x, double* first, int n) {
 
 // x/n, rounded to nearest in the normal range. With a fused operation by r = 1/n rounded: q = x r is within two units of
 // x/n, x - q n is exact, and adding its product with r leaves an error below 2^-50 units before the last rounding, while
-// x/n is no middle of two doubles (n times a number of 54 bits has no 53) and at least 1/(2n) units from the next one.
+// x/n is not the midpoint of two doubles (n times a number of 54 bits has no 53) and at least 1/(2n) units from the next one.
 HWY_INLINE vector over(vector x, const degree& n) {
     const doubles d;
     const vector by = hn::Set(d, n.value);

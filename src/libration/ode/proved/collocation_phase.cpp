@@ -18,6 +18,12 @@ constexpr long most_collocation_bits = 1024;
 // The number of steps in which their length may grow until they are worth their cost.
 constexpr long steps_to_grow = 6;
 constexpr int steps_without_fast_modes = 3;
+// Collocation loses fewer bits than Taylor series, for which the guard bits of a run are chosen. With all bits of the run,
+// the values at the last time have 16 bits more than their 20 digits need in problem E5, 35 in POLLU, and 42 in HIRES.
+// A larger reduction pays where steps are expensive; if too many bits are missing, there is a second run.
+constexpr std::size_t many_unknowns = 7;
+constexpr long unneeded_bits = 12;
+constexpr long unneeded_bits_of_many = 28;
 
 // The least number of steps of Taylor series that take longer than the preparation of collocation.
 unsigned long steps_worth_preparation(long bits) {
@@ -45,10 +51,9 @@ collocation_phase::collocation_phase(const lifted_system& of, long bits, const p
     }
 }
 
-// Collocation loses fewer bits than Taylor series, for which the guard bits of a run are chosen: at the last times 16 of
-// these would remain of E5, 35 of POLLU and 42 of Robertson's problem. If too few remain, there is a second run; more are
-// spared where steps are expensive.
-long collocation_phase::bits_of_steps() const { return bits_ - (system_.leaves.size() < 7 ? 12 : 28); }
+long collocation_phase::bits_of_steps() const {
+    return bits_ - (system_.leaves.size() < many_unknowns ? unneeded_bits : unneeded_bits_of_many);
+}
 
 long collocation_phase::cost_of_step() const {
     constexpr long at_200_bits = 32;

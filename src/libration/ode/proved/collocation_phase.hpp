@@ -29,7 +29,6 @@ public:
 
     bool is_active() const { return active_; }
     /// A step counts as so many of Taylor series, which take about as long.
-    long bits_of_steps() const;
     long cost_of_step() const;
     /// The reason why the route, by collocation, is not possible; empty if it is.
     std::string obstacle(bool with_derivative) const;
@@ -66,6 +65,7 @@ public:
     ball_matrix derivative_at(const ball& distance) const { return derivative_in(integrator().values_at(distance)); }
 
 private:
+    long bits_of_steps() const;
     collocation_integrator& current() { return other_ ? *other_ : *integrator_; }
     std::optional<tube_set> with_identity(const ball& time, const state_set& set, tube_set all) const;
     ball_matrix derivative_in(const std::vector<ball>& state) const;

@@ -59,7 +59,7 @@ root_phase::root_phase(const explicit_system& of, std::vector<root_time> times, 
                        proof_route route)
     : form_(of), times_(std::move(times)), bits_(bits), error_bits_(error_bits), route_(std::move(route)) {}
 
-// Exact, and not shorter than the distance; it is longer only if the time of the roots is no dyadic number.
+// Exact, and not shorter than the distance; it is longer only if the time of the roots is not a dyadic number.
 ball root_phase::entry_step::length_of_step() const {
     ball length;
     arb_abs(length.handle(), distance_.handle());

@@ -26,7 +26,7 @@ struct function_on_step {
 class zeros_on_steps {
 public:
     /// The printed times in the order of the steps; the condition and its derivative in the unknowns of the form.
-    /// `vanishes` if the condition holds exactly at the initial point, which is no zero after it. Bounds have so many
+    /// `vanishes` if the condition holds exactly at the initial point, which is not a zero after it. Bounds have so many
     /// bits behind the point.
     zeros_on_steps(const certified_zeros& of, const lifted_functions& form, bool vanishes, long bits);
 
