@@ -23,6 +23,11 @@ TEST_CASE("a bouncing ball from C", "[c][hybrid]") {
         made<table>([&](auto** to) { return libration_problem_events(bouncing.get(), "x = 0", 2, 20, to); });
     CHECK(cell(bounces, 0, 0) == "1.0000000000000000000");
     CHECK(cell(bounces, 1, 0) == "2.0000000000000000000");
+    // From h it falls to 0 at u = sqrt(h): x = u s - s^2, s = t - u.
+    const auto by = made<table>([&](auto** to) {
+        return libration_problem_derivatives(bouncing.get(), "3/2", "x(0)", 20, nullptr, nullptr, to);
+    });
+    CHECK(cell(by, 0, 3) == "0.25000000000000000000");
     // In double the bounces accumulate at t = 3, beyond which there is no solution.
     const std::array<double, 3> times{0.5, 1.25, 4};
     std::array<double, 6> values{};

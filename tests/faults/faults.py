@@ -647,6 +647,31 @@ FAULTS = [
          "with_leaves(value.value, leaves, now)"),
     ),
     *in_file(
+        "src/libration/ode/hybrid/proved/branch_entry.cpp", ["problem/hybrid_derivatives_test.cpp"],
+        ("an event that does not move", "of_time -= value(partial(g, leaves[l]))", "of_time -= 0 * value(partial(g, leaves[l]))"),
+        ("the slope after an event forgotten", "value(partial(now, variable())) - slopes_after[k]",
+         "value(partial(now, variable()))"),
+        ("a reset that depends on time alone", "(value(partial(now, variable())) - slopes_after[k])", "(-slopes_after[k])"),
+        ("the slope before an event forgotten", "? next_->state[*each[l]] + moved : moved)", "? next_->state[*each[l]] : moved)"),
+        ("values that move with an event alone forgotten", "+ moved : moved)", "+ moved : ball(0))"),
+    ),
+    *in_file(
+        "src/libration/ode/hybrid/proved/hybrid_path.cpp", ["problem/hybrid_derivatives_test.cpp"],
+        ("the derivative of a value that jumps", "(reset_last_[k] || !overlaps(before_last_[*each[k]]", "(!overlaps(before_last_[*each[k]]"),
+    ),
+    *in_file(
+        "src/libration/ode/hybrid/proved/hybrid_derivatives.cpp", ["problem/hybrid_derivatives_test.cpp"],
+        ("a start that moves off a surface", "return partial(at_start, dependence.leaf).is(0) &&", "return"),
+        ("a start that rests on a surface", "&& !contains_zero(values.of(form.slope_of(form.in_leaves(g))))", ""),
+    ),
+    *in_file(
+        "src/libration/ode/hybrid/proved/varied_system.cpp", ["problem/hybrid_derivatives_test.cpp"],
+        ("dependence by a condition forgotten", "const bool moves = of.has(event.condition);", "const bool moves = false;"),
+        ("dependence by a step function forgotten", "(switches && has_steps(each.right))", "false"),
+        ("initial values that do not move", "with_leaves(partial(of.starts[k], of.leaf), {of.leaf}, {value})",
+         "same_form(leaves_[k], of.leaf) ? expression(1) : expression(0)"),
+    ),
+    *in_file(
         "src/libration/ode/proved/events/event_search.cpp", [EVENTS],
         ("a piece passed over", "for (unsigned long k = first_pieces; k-- > 0;) {",
          "for (unsigned long k = first_pieces; --k > 0;) {"),
@@ -773,8 +798,12 @@ FAULTS = [
         ("initial values that contain a parameter do not move with it", "row.push_back(by_numbers.of(partial(each, leaf)));",
          "row.push_back(ball(0));"),
         ("derivatives that are taken to be 0", "if (!depends_[i][j]) {", "if (!depends_[i][j] || i < j) {"),
-        ("the derivative by another initial value", "columns.push_back({true, static_cast<std::size_t>(found - names.begin())});",
-         "columns.push_back({true, static_cast<std::size_t>(names.end() - found) - 1});"),
+    ),
+    *in_file(
+        "src/libration/ode/differentiated_numbers.cpp",
+        ["ode/proved/flow_derivatives_test.cpp", "problem/hybrid_derivatives_test.cpp"],
+        ("the derivative by another initial value", "columns.push_back({true, static_cast<std::size_t>(found - state.begin())});",
+         "columns.push_back({true, static_cast<std::size_t>(state.end() - found) - 1});"),
     ),
     *in_file(
         "src/libration/ode/proved/condition_system.cpp", ["ode/proved/event_laws_test.cpp"],

@@ -218,7 +218,6 @@ TEST_CASE("what needs one smooth equation speaks of the first branch, or says so
     CHECK_THROWS_WITH(x->series(3, "1", proved_digits(10)), Catch::Contains("not supported for a problem with events"));
     CHECK_THROWS_WITH(x->limits(proved_digits(10)), Catch::Contains("not supported for a problem with events"));
     CHECK_THROWS_WITH(x->states("-1", proved_digits(10)), Catch::Contains("forwards only"));
-    CHECK_THROWS_WITH(x->states("1", {.derivatives = {"x(0)"}}), Catch::Contains("not supported"));
 }
 
 }  // namespace problem_hybrid_solution_test

@@ -188,12 +188,16 @@ void refuse_motions(const reference_options& options) {
     }
 }
 
-// Throws for options of the steps to given times, such as --trace, if there are none.
-void require_no_times(const reference_options& options, const std::string& reason) {
-    options.derivatives.require_absent(reason);
+void require_no_trace(const reference_options& options, const std::string& reason) {
     if (options.trace) {
         throw input_error("--trace", *options.trace, reason, "leave it out");
     }
+}
+
+// Throws for options of the steps to given times, such as --trace, if there are none.
+void require_no_times(const reference_options& options, const std::string& reason) {
+    options.derivatives.require_absent(reason);
+    require_no_trace(options, reason);
 }
 
 void require_no_certificate(const reference_options& options, const std::string& reason) {
@@ -245,7 +249,10 @@ void require_certifiable(const reference_options& options, const problem_options
                                        ? "is not supported for a problem with delays"
                                        : "is not supported for a problem with events or a piecewise right-hand side";
         require_no_certificate(options, reason);
-        require_no_times(options, reason);
+        require_no_trace(options, reason);
+        if (equations.has_delays()) {
+            options.derivatives.require_absent(reason);
+        }
     }
 }
 

@@ -53,15 +53,7 @@ public:
             leaves_.push_back(unknown("y" + std::to_string(i)));
         }
         for (const std::string& each : names_) {
-            const definition* const found = made_.parameter_of(each);
-            if (made_.is_open(each)) {
-                refuse(each, {}, "has no first guess: write " + each + " = number in the problem");
-            }
-            if (found == nullptr) {
-                refuse(each, {},
-                       "is neither a parameter nor an initial value of the problem" + remedy_for(each, made_));
-            }
-            values_.push_back(number_with_values(found->value, made_));
+            values_.push_back(number_with_values(given_parameter(made_, each).value, made_));
         }
     }
 
@@ -122,6 +114,17 @@ private:
 };
 
 }  // namespace
+
+const definition& given_parameter(const equation_system& of, const std::string& name) {
+    if (of.is_open(name)) {
+        refuse(name, {}, "has no first guess: write " + name + " = number in the problem");
+    }
+    const definition* const found = of.parameter_of(name);
+    if (found == nullptr) {
+        refuse(name, {}, "is neither a parameter nor an initial value of the problem" + remedy_for(name, of));
+    }
+    return *found;
+}
 
 opened_system opened(const equation_system& given, const std::vector<std::string>& names,
                      const std::vector<expression>& others) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "libration/ode/explicit_system.hpp"
@@ -35,6 +36,10 @@ struct surface {
 /// linear expressions with fractions as coefficients; 0 for others.
 int relative_sign(const expression& a, const expression& b);
 
+/// The derivative of the state with respect to a number, if its values are unknowns of the same system: for each value
+/// of the state the index of its derivative; std::nullopt for one that is 0, and for these derivatives themselves.
+using state_variation = std::vector<std::optional<std::size_t>>;
+
 /// Equations with events and step functions. With numbers for the step functions they are a smooth system, a branch,
 /// which is valid until an event, the crossing of one of its surfaces.
 class hybrid_system {
@@ -50,6 +55,9 @@ public:
     const std::string& variable() const { return given_.variable; }
     const std::vector<state_event>& events() const { return given_.events; }
     const std::vector<step_function>& steps() const { return given_.steps; }
+    /// The derivatives of the state that are part of it: theorem H gives their values after an event.
+    const std::vector<state_variation>& variations() const { return variations_; }
+    void add_variation(state_variation variation) { variations_.push_back(std::move(variation)); }
 
     /// The smooth system with these values of the step functions and this initial state. Throws error like
     /// explicit_system.
@@ -78,7 +86,11 @@ private:
     std::vector<expression> leaves_;
     std::vector<number> starts_;
     number point_;
+    std::vector<state_variation> variations_;
 };
+
+/// The expression with leaves replaced by the expression of the same index.
+expression with_leaves(const expression& e, const std::vector<expression>& leaves, const std::vector<expression>& by);
 
 /// The names of the unknowns and their lower derivatives, in order: x, x', ...
 std::vector<std::string> names_of_state(const hybrid_system& system);

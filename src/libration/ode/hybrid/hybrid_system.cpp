@@ -223,6 +223,17 @@ void hybrid_system::require_state_in_events() const {
     }
 }
 
+expression with_leaves(const expression& e, const std::vector<expression>& leaves, const std::vector<expression>& by) {
+    return replaced(e, [&](const expression& leaf) -> std::optional<expression> {
+        for (std::size_t k = 0; k < leaves.size(); ++k) {
+            if (same_form(leaf, leaves[k])) {
+                return by[k];
+            }
+        }
+        return std::nullopt;
+    });
+}
+
 std::vector<std::string> names_of_state(const hybrid_system& system) {
     std::vector<std::string> names;
     for (const expression& leaf : system.leaves()) {

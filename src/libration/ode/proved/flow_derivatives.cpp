@@ -4,8 +4,8 @@
 #include <iterator>
 #include <utility>
 
+#include "../differentiated_numbers.hpp"
 #include "libration/ode/dependency.hpp"
-#include "libration/ode/parse.hpp"
 #include "proving_runs.hpp"
 
 namespace libration::ode {
@@ -71,77 +71,13 @@ state_derivatives derivatives_at_start(const opened_system& open) {
     return result;
 }
 
-[[noreturn]] void refuse_derivative(const std::string& number, const std::string& reason) {
-    throw error(error_kind::argument, "derivatives", number, reason);
-}
-
-[[noreturn]] void refuse_unknown_number(const std::string& name) {
-    refuse_derivative(name, "is neither a parameter nor an initial value of the problem: choose one that is");
-}
-
-// x'(0) as the name x' of the value that starts there.
-std::string name_of_start(const equation_system& given, const explicit_system& system, const std::string& typed) {
-    try {
-        const start read = parse_value_at_time(given, typed);
-        if ((read.point.constant() - system.point()).sign() == 0) {
-            return primed(read.of.name(), read.of.derivative());
-        }
-    } catch (const error&) {
-        refuse_unknown_number(typed);
-    }
-    refuse_unknown_number(typed);
-}
-
-// With respect to which numbers a problem is differentiated.
-struct differentiation {
-    // The index of a parameter among the open ones, or in the state of the problem.
-    struct column {
-        bool of_start;
-        std::size_t index;
-    };
-
-    differentiation(const equation_system& given, const std::vector<std::string>& numbers) {
-        const explicit_system system(given);
-        const auto names = names_of_state(system);
-        for (auto each = numbers.begin(); each != numbers.end(); ++each) {
-            if (std::find(numbers.begin(), each, *each) != each) {
-                refuse_derivative(*each, "is given twice: give it once");
-            }
-            if (each->find('(') == std::string::npos) {
-                columns.push_back({false, parameters.size()});
-                parameters.push_back(*each);
-                continue;
-            }
-            const auto found = std::ranges::find(names, name_of_start(given, system, *each));
-            if (found == names.end()) {
-                refuse_unknown_number(*each);
-            }
-            columns.push_back({true, static_cast<std::size_t>(found - names.begin())});
-        }
-    }
-
-    std::vector<column> columns;
-    std::vector<std::string> parameters;
-};
-
-opened_flow opened_by(const equation_system& given, const std::vector<std::string>& parameters) {
-    try {
-        return {given, parameters};
-    } catch (const error& problem) {
-        if (problem.kind() != error_kind::argument) {
-            throw;
-        }
-        refuse_derivative(problem.value(), problem.reason());
-    }
-}
-
 class derivative_runs {
 public:
     derivative_runs(const equation_system& given, const std::vector<number>& times,
                     const std::vector<std::string>& numbers, long digits)
-        : asked_(given, numbers),
+        : asked_(numbers_of(given, numbers)),
           numbers_(numbers),
-          flow_(opened_by(given, asked_.parameters)),
+          flow_(with_derivative_errors([&] { return opened_flow(given, asked_.parameters); })),
           times_(times),
           digits_(digits) {
         result_.by.resize(times.size());
@@ -208,7 +144,12 @@ private:
         }
     }
 
-    differentiation asked_;
+    static differentiated_numbers numbers_of(const equation_system& given, const std::vector<std::string>& numbers) {
+        const explicit_system system(given);
+        return {given, names_of_state(system), system.point(), numbers};
+    }
+
+    differentiated_numbers asked_;
     const std::vector<std::string>& numbers_;
     opened_flow flow_;
     const std::vector<number>& times_;

@@ -27,6 +27,10 @@ delay_solution::delay_solution(const ode::equation_system& equations)
     : solution(ode::names_of_state(ode::delay_system(equations))), system_(equations) {}
 
 answer delay_solution::states(const std::vector<exact>& times, const request& how) const {
+    if (!how.derivatives.empty()) {
+        throw error(error_kind::argument, "derivatives", how.derivatives.front(),
+                    std::string(not_with_delays) + ": leave it out");
+    }
     require_plain_states(how, not_with_delays);
     std::vector<ode::number> at;
     std::ranges::transform(times, std::back_inserter(at), time_of_problem);

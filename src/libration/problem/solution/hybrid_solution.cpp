@@ -6,6 +6,7 @@
 
 #include "libration/digits/proved/printed_values.hpp"
 #include "libration/ode/hybrid/proved/first_steps.hpp"
+#include "libration/ode/hybrid/proved/hybrid_derivatives.hpp"
 #include "libration/ode/hybrid/proved/hybrid_trajectory.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/ode/trajectory.hpp"
@@ -49,6 +50,7 @@ hybrid_solution::hybrid_solution(ode::equation_system equations)
 
 answer hybrid_solution::states(const std::vector<exact>& times, const request& how) const {
     require_plain_states(how, unsupported);
+    require_proof_of_derivatives(how);
     std::vector<ode::number> at;
     std::ranges::transform(times, std::back_inserter(at), time_of_problem);
     const bool proves = how.scalar.kind == scalar_kind::proved || how.scalar.kind == scalar_kind::arbitrary;
@@ -60,15 +62,25 @@ answer hybrid_solution::proved_states(const std::vector<ode::number>& times, con
     const long digits = how.printed_digits();
     ode::proof_route route;
     route.integrator = how.integrator;
-    const auto found = ode::proved_part_of_hybrid(system_, times, digits, watch_of(system_.point(), times, how), route);
+    const auto columns = names_of_states(quantities(), system_.variable(), how);
+    const auto found = proved_part(times, how, digits, watch_of(system_.point(), times, how), route);
     if (how.check) {
         ode::proof_route second = ode::proof_route::second();
         second.integrator = how.integrator;
-        const auto other =
-            ode::proved_part_of_hybrid(system_, times, digits + ode::more_digits_of_second_proof, {}, second);
-        require_agreement(found, other, quantities());
+        const auto other = proved_part(times, how, digits + ode::more_digits_of_second_proof, {}, second);
+        require_agreement(found, other, columns);
     }
-    return answer_of(quantities(), found);
+    return answer_of(columns, found);
+}
+
+ode::partial_trajectory hybrid_solution::proved_part(const std::vector<ode::number>& times, const request& how,
+                                                     long digits, const ode::march_watch& watch,
+                                                     const ode::proof_route& route) const {
+    if (how.derivatives.empty()) {
+        return ode::proved_part_of_hybrid(system_, times, digits, watch, route);
+    }
+    return in_columns(ode::proved_derivatives_of_hybrid(equations_, times, how.derivatives, digits, watch, route),
+                      names_of_states(quantities(), system_.variable(), how).size());
 }
 
 answer hybrid_solution::rounded_states(const std::vector<ode::number>& times, const request& how) const {

@@ -38,6 +38,8 @@ protected:
 
 private:
     answer proved_states(const std::vector<ode::number>& times, const request& how) const;
+    ode::partial_trajectory proved_part(const std::vector<ode::number>& times, const request& how, long digits,
+                                        const ode::march_watch& watch, const ode::proof_route& route) const;
     answer rounded_states(const std::vector<ode::number>& times, const request& how) const;
 
     ode::equation_system equations_;

@@ -1,12 +1,16 @@
-// What solutions share that have states at times and neither derivatives nor a choice of methods.
+// What solutions share that have states at times.
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "libration/digits/proved/two_proofs.hpp"
 #include "libration/ode/constant_value.hpp"
+#include "libration/ode/proved/flow_derivatives.hpp"
 #include "libration/ode/proved/proved_march.hpp"
 #include "libration/ode/proved/proved_trajectory.hpp"
 #include "libration/problem/answer.hpp"
@@ -38,11 +42,43 @@ inline ode::march_watch watch_of(const ode::number& point, const std::vector<ode
     };
 }
 
-/// Throws error for derivatives, collocation and an observer of steps, with the reason `unsupported`.
-inline void require_plain_states(const request& how, const std::string& unsupported) {
-    if (!how.derivatives.empty()) {
-        throw error(error_kind::argument, "derivatives", how.derivatives.front(), unsupported + ": leave it out");
+/// The columns of states: the quantities and, after them, the derivatives of each.
+inline std::vector<std::string> names_of_states(const std::vector<std::string>& quantities, const std::string& variable,
+                                                const request& how) {
+    std::vector<std::string> names = quantities;
+    for (const std::string& quantity : quantities) {
+        for (const std::string& number : how.derivatives) {
+            names.push_back(derivative_name(quantity, variable, number));
+        }
     }
+    return names;
+}
+
+/// Values and derivatives in the order of these columns.
+inline ode::partial_trajectory in_columns(ode::partial_derivatives found, std::size_t columns) {
+    for (std::size_t i = 0; i < found.by.size(); ++i) {
+        auto& values = found.trajectory.states[i];
+        if (values.empty()) {
+            continue;
+        }
+        for (auto& row : found.by[i]) {
+            std::ranges::move(row, std::back_inserter(values));
+        }
+        values.resize(columns);
+    }
+    return std::move(found.trajectory);
+}
+
+/// Throws error for derivatives of values that are not proved.
+inline void require_proof_of_derivatives(const request& how) {
+    if (!how.derivatives.empty() && how.scalar.kind != scalar_kind::proved) {
+        throw error(error_kind::argument, "derivatives", how.derivatives.front(),
+                    "is for proved digits, and these are rounded: use the scalar ball:D");
+    }
+}
+
+/// Throws error for collocation and an observer of steps, with the reason `unsupported`.
+inline void require_plain_states(const request& how, const std::string& unsupported) {
     if (how.integrator == ode::integrator_choice::collocation) {
         throw error(error_kind::argument, "integrator", "collocation", unsupported + ": use automatic or taylor");
     }

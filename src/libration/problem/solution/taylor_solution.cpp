@@ -11,7 +11,6 @@
 #include "libration/ode/constant_value.hpp"
 #include "libration/ode/invariant.hpp"
 #include "libration/ode/parse.hpp"
-#include "libration/ode/proved/flow_derivatives.hpp"
 #include "libration/ode/proved/limit_at_equilibrium.hpp"
 #include "libration/ode/proved/proved_events.hpp"
 #include "libration/ode/proved/proved_trajectory.hpp"
@@ -21,6 +20,7 @@
 #include "libration/problem/proved_answer.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/text/decimal.hpp"
+#include "states_at_times.hpp"
 
 namespace libration {
 
@@ -123,21 +123,8 @@ taylor_solution::taylor_solution(ode::equation_system equations)
       system_(equations_) {}
 
 answer taylor_solution::states(const std::vector<exact>& times, const request& how) const {
-    if (!how.derivatives.empty() && how.scalar.kind != scalar_kind::proved) {
-        throw error(error_kind::argument, "derivatives", how.derivatives.front(),
-                    "is for proved digits, and these are rounded: use the scalar ball:D");
-    }
+    require_proof_of_derivatives(how);
     return how.scalar.kind == scalar_kind::proved ? proved_states(times, how) : rounded_states(times, how);
-}
-
-std::vector<std::string> taylor_solution::names_of_states(const request& how) const {
-    std::vector<std::string> names = quantities();
-    for (const std::string& quantity : quantities()) {
-        for (const std::string& number : how.derivatives) {
-            names.push_back(derivative_name(quantity, system_.variable(), number));
-        }
-    }
-    return names;
 }
 
 // The values at each time and, if any are requested, the derivatives.
@@ -148,18 +135,12 @@ ode::partial_trajectory taylor_solution::proved_part(const std::vector<exact>& t
     if (how.derivatives.empty()) {
         return ode::proved_part_of_trajectory(system_, at, digits, watch, route, observer);
     }
-    auto found = ode::proved_derivatives(equations_, at, how.derivatives, digits, watch, route, observer);
-    for (std::size_t i = 0; i < at.size(); ++i) {
-        auto& values = found.trajectory.states[i];
-        if (values.empty()) {
-            continue;
-        }
-        for (auto& row : found.by[i]) {
-            std::ranges::move(row, std::back_inserter(values));
-        }
-        values.resize(names_of_states(how).size());
-    }
-    return std::move(found.trajectory);
+    return in_columns(ode::proved_derivatives(equations_, at, how.derivatives, digits, watch, route, observer),
+                      columns_of(how).size());
+}
+
+std::vector<std::string> taylor_solution::columns_of(const request& how) const {
+    return names_of_states(quantities(), system_.variable(), how);
 }
 
 void taylor_solution::require_second_proof(const std::vector<exact>& times, const request& how,
@@ -167,7 +148,7 @@ void taylor_solution::require_second_proof(const std::vector<exact>& times, cons
     ode::proof_route route = ode::proof_route::second();
     route.integrator = how.integrator;
     const auto second = proved_part(times, how, how.printed_digits() + digits_of_second, {}, route, {});
-    const auto names = names_of_states(how);
+    const auto names = columns_of(how);
     for (std::size_t i = 0; i < first.states.size(); ++i) {
         const std::size_t compared = std::min(first.states[i].size(), second.states[i].size());
         for (std::size_t j = 0; j < compared; ++j) {
@@ -191,7 +172,7 @@ answer taylor_solution::proved_states(const std::vector<exact>& times, const req
     if (how.check) {
         require_second_proof(times, how, found);
     }
-    return answer_of(names_of_states(how), found);
+    return answer_of(columns_of(how), found);
 }
 
 answer taylor_solution::rounded_states(const std::vector<exact>& times, const request& how) const {

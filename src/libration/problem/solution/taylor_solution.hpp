@@ -53,7 +53,7 @@ private:
     ode::coefficient_request coefficients_of(const series_request& of) const;
     void require_second_series(const ode::coefficient_request& of, long digits,
                                const std::vector<proved_decimal>& first) const;
-    std::vector<std::string> names_of_states(const request& how) const;
+    std::vector<std::string> columns_of(const request& how) const;
     ode::partial_trajectory proved_part(const std::vector<exact>& times, const request& how, long digits,
                                         const ode::march_watch& watch, const ode::proof_route& route,
                                         const ode::step_observer& observer) const;

@@ -70,8 +70,8 @@ public:
     ~hybrid_path();
 
     /// The state at a time, which increases from call to call; of an event the state after it, and at a time that is
-    /// not distinguished from that of an event both. Events are searched up to `last`, the same in all calls.
-    /// std::nullopt for the reason end().
+    /// not distinguished from that of an event both; a derivative that may not exist there is unbounded. Events are
+    /// searched up to `last`, the same in all calls. std::nullopt for the reason end().
     std::optional<std::vector<ball>> at(const number& time, const number& last);
     /// The next zero of the observed function, with the state before an event at the same time; without an end of the
     /// search within so many steps after the last event.
@@ -111,10 +111,13 @@ private:
     bool complete(path_event& event);
     bool accumulates();
     bool take();
+    explicit_system branch_after(const entered_branch& entered, const step_values& values) const;
+    bool add_saltation(entered_branch& entered, const step_values& values);
     bool enter(const entered_branch& entered, const step_values& values);
     std::optional<std::vector<ball>> state_before(const number& time);
     int before_or_after(const number& time, const path_event& event) const;
     bool certainly_before(const number& time) const;
+    std::vector<ball> state_at_event() const;
     bool ended(path_end why, std::string reason = {});
 
     const hybrid_system& system_;
@@ -130,6 +133,7 @@ private:
     std::optional<surface> crossed_;         // there
     std::optional<path_event> observed_event_;
     std::vector<ball> before_last_;  // on the branch before, at all times of the ball in which this one begins
+    std::vector<bool> reset_last_;   // whether that event resets a value
     ball first_time_, last_time_;    // the initial time, and that of the last event
     long count_ = 0;                 // of events
     long shorter_ = 0;               // of the last intervals, those that were far shorter than the time

@@ -28,18 +28,6 @@ ball value_in(const first_order_form& form, const expression& e, const std::vect
     return values.of(e);
 }
 
-// The expression with the leaves replaced by expressions.
-expression with_leaves(const expression& e, const std::vector<expression>& leaves, const std::vector<expression>& by) {
-    return replaced(e, [&](const expression& leaf) -> std::optional<expression> {
-        for (std::size_t k = 0; k < leaves.size(); ++k) {
-            if (same_form(leaf, leaves[k])) {
-                return by[k];
-            }
-        }
-        return std::nullopt;
-    });
-}
-
 std::vector<number> midpoints(const std::vector<ball>& state) {
     std::vector<number> all;
     std::ranges::transform(state, std::back_inserter(all), [](const ball& x) { return number_of(midpoint_alone(x)); });
@@ -159,7 +147,53 @@ bool hybrid_path::take() {
                                      : value_in(form, form.in_leaves(entered.leaves[k]), next_->state, next_->time));
     }
     const auto values = steps_after(entered);
-    return values && enter(entered, *values);
+    return values && (system_.variations().empty() || add_saltation(entered, *values)) && enter(entered, *values);
+}
+
+// From the beginning of the ball of times of the event.
+explicit_system hybrid_path::branch_after(const entered_branch& entered, const step_values& values) const {
+    const number begin = next_->exactly ? *next_->exactly : number_of(lower_bound(next_->time));
+    return system_.branch(values, begin, midpoints(entered.state));
+}
+
+// The derivatives of the state after the event (theorem H, 4), from those before it in `entered`.
+bool hybrid_path::add_saltation(entered_branch& entered, const step_values& values) {
+    const auto& leaves = system_.leaves();
+    const ball& time = next_->time;
+    const first_order_form before(piece_->system);
+    const first_order_form after(branch_after(entered, values));
+    const auto slopes = before.slopes_at(next_->state, time);
+    const auto slopes_after = after.slopes_at(entered.state, time);
+    const auto value = [&](const expression& e) { return value_in(before, before.in_leaves(e), next_->state, time); };
+    const expression& g = crossed_->g;
+    const ball slope_of_g = value_in(before, before.slope_of(before.in_leaves(g)), next_->state, time);
+    if (!crossed_->time && contains_zero(slope_of_g)) {
+        return ended(path_end::undecided,
+                     "the derivative of the two sides of `" + crossed_->text + "` is not distinguished from 0 there");
+    }
+    for (const state_variation& each : system_.variations()) {
+        ball of_time(0);
+        for (std::size_t l = 0; l < leaves.size() && !crossed_->time; ++l) {
+            if (each[l]) {
+                of_time -= value(partial(g, leaves[l])) * next_->state[*each[l]] / slope_of_g;
+            }
+        }
+        for (std::size_t k = 0; k < leaves.size(); ++k) {
+            if (!each[k]) {
+                continue;
+            }
+            const expression& now = entered.leaves[k];
+            ball sum = (value(partial(now, variable())) - slopes_after[k]) * of_time;
+            for (std::size_t l = 0; l < leaves.size(); ++l) {
+                if (const expression by = partial(now, leaves[l]); !by.is(0)) {
+                    const ball moved = slopes[l] * of_time;
+                    sum += value(by) * (each[l] ? next_->state[*each[l]] + moved : moved);
+                }
+            }
+            entered.state[*each[k]] = std::move(sum);
+        }
+    }
+    return true;
 }
 
 // From the states after the event at a time of its ball to the branch from the beginning of that ball.
@@ -169,8 +203,7 @@ bool hybrid_path::enter(const entered_branch& entered, const step_values& values
     }
     const ball times = next_->time;
     const ball begin = lower_bound(times);
-    auto piece = std::make_unique<path_piece>(
-        system_.branch(values, next_->exactly ? *next_->exactly : number_of(begin), midpoints(entered.state)));
+    auto piece = std::make_unique<path_piece>(branch_after(entered, values));
     piece->steps = values;
     piece->state = entered.state;
     piece->on_the_way = entered.state;
@@ -188,6 +221,10 @@ bool hybrid_path::enter(const entered_branch& entered, const step_values& values
         piece->on_the_way = *std::move(around);
     }
     before_last_ = next_->on_the_way;
+    reset_last_.clear();
+    for (std::size_t k = 0; k < entered.leaves.size(); ++k) {
+        reset_last_.push_back(!same_form(entered.leaves[k], system_.leaves()[k]));
+    }
     last_time_ = times;
     ++count_;
     piece_ = std::move(piece);

@@ -198,11 +198,7 @@ std::optional<std::vector<ball>> hybrid_path::at(const number& time, const numbe
         for (;;) {
             if (piece_->begins && overlaps(enclosed_number(time), *piece_->begins)) {
                 at_event_ = true;
-                std::vector<ball> both;
-                for (std::size_t k = 0; k < before_last_.size(); ++k) {
-                    both.push_back(hull(before_last_[k], piece_->on_the_way[k]));
-                }
-                return both;
+                return state_at_event();
             }
             if (!find(last, 0)) {
                 const bool before_end = end_ == path_end::time || (search_->has_reached() && certainly_before(time));
@@ -219,6 +215,25 @@ std::optional<std::vector<ball>> hybrid_path::at(const number& time, const numbe
         ended(path_end::precision);
     }
     return std::nullopt;
+}
+
+// Before and after the event at which the branch begins. There a value that jumps has no derivative with respect to a
+// number that moves the event, nor has one whose derivative jumps.
+std::vector<ball> hybrid_path::state_at_event() const {
+    ball unbounded;
+    arb_zero_pm_inf(unbounded.handle());
+    std::vector<ball> both;
+    for (std::size_t k = 0; k < before_last_.size(); ++k) {
+        both.push_back(hull(before_last_[k], piece_->on_the_way[k]));
+    }
+    for (const state_variation& each : system_.variations()) {
+        for (std::size_t k = 0; k < each.size(); ++k) {
+            if (each[k] && (reset_last_[k] || !overlaps(before_last_[*each[k]], piece_->on_the_way[*each[k]]))) {
+                both[*each[k]] = unbounded;
+            }
+        }
+    }
+    return both;
 }
 
 bool hybrid_path::certainly_before(const number& time) const {

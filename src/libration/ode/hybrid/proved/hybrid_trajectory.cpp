@@ -111,13 +111,15 @@ private:
         return true;
     }
 
-    // A value that does not become narrower jumps at this very time.
+    // A value that does not become narrower jumps at this very time, or is 0.
     void jumps(std::size_t index, const ball& value) {
         done_[index] = true;
         if (!part_.missing) {
-            part_.missing = error(error_kind::undecided, "time", text_of_time(times_[index]),
-                                  "is not distinguished from the time of an event by " + std::to_string(bits_.now()) +
-                                      " bits, and a value jumps there: it is in " + bounds_text(value));
+            const std::string where = is_finite(value) ? "about which a value is in " + bounds_text(value)
+                                                       : "at which derivatives may not exist";
+            part_.missing = error(
+                error_kind::undecided, "time", text_of_time(times_[index]),
+                "is not distinguished from the time of an event by " + std::to_string(bits_.now()) + " bits, " + where);
         }
     }
 

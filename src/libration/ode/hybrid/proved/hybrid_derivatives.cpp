@@ -1,0 +1,78 @@
+#include "libration/ode/hybrid/proved/hybrid_derivatives.hpp"
+
+#include <utility>
+
+#include "../../proved/needed_bits.hpp"
+#include "libration/ode/hybrid/proved/first_steps.hpp"
+#include "libration/ode/hybrid/proved/hybrid_trajectory.hpp"
+#include "libration/scalar/error.hpp"
+#include "varied_system.hpp"
+
+namespace libration::ode {
+
+namespace {
+
+constexpr long bits_at_start = 128;
+
+// Whether solutions for all near numbers are on the same side of a surface directly after the initial point.
+bool is_same_side(const varied_system& of, const explicit_system& branch, std::size_t index, const expression& g) {
+    const dependence_on_number& dependence = of.dependences[index];
+    if (!dependence.has(g)) {
+        return true;
+    }
+    const expression at_start = with_leaves(g, of.leaves, dependence.starts);
+    const first_order_form form(branch);
+    expression_values<ball> values(form.leaves, constant_value<ball>::of(branch.point()));
+    for (const auto& each : form.starts) {
+        values.push_back(constant_value<ball>::of(each));
+    }
+    if (!contains_zero(values.of(form.in_leaves(g)))) {
+        return true;
+    }
+    return partial(at_start, dependence.leaf).is(0) && !contains_zero(values.of(form.slope_of(form.in_leaves(g))));
+}
+
+void require_same_side(const varied_system& of, const std::vector<std::string>& numbers) {
+    const precision_scope scope(decimal_digits(bits_at_start));
+    const step_values steps = steps_after_start(of.system);
+    const explicit_system branch = of.system.first_branch(steps);
+    for (const surface& each : of.system.surfaces(steps)) {
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            if (!each.time && !is_same_side(of, branch, i, each.g)) {
+                throw error(error_kind::argument, "derivatives", numbers[i],
+                            "moves the solution to either side of `" + each.text +
+                                "`, on which it begins, and beyond which it is another one: choose another number or "
+                                "initial point");
+            }
+        }
+    }
+}
+
+}  // namespace
+
+partial_derivatives proved_derivatives_of_hybrid(const equation_system& given, const std::vector<number>& times,
+                                                 const std::vector<std::string>& numbers, long digits,
+                                                 const march_watch& watch, const proof_route& route) {
+    const varied_system varied = system_with_variations(given, numbers);
+    require_same_side(varied, numbers);
+    auto all = proved_part_of_hybrid(varied.system, times, digits, watch, route);
+    known_value zero;
+    improve(zero, ball(0), digits);
+    partial_derivatives result;
+    result.by.resize(times.size());
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        const auto state = std::move(all.states[i]);
+        all.states[i].clear();
+        for (const std::size_t k : state.empty() ? std::vector<std::size_t>() : varied.own) {
+            all.states[i].push_back(state[k]);
+            auto& row = result.by[i].emplace_back();
+            for (const state_variation& each : varied.system.variations()) {
+                row.push_back(each[k] ? state[*each[k]] : zero);
+            }
+        }
+    }
+    result.trajectory = std::move(all);
+    return result;
+}
+
+}  // namespace libration::ode
