@@ -19,7 +19,7 @@ sanitizers=address,undefined
 archives=(-Wl,--allow-multiple-definition "$build"/liblibration-{sweep,proved}.a "$build/liblibration.a")
 # The options list the names of all studies.
 mapfile -t studies < <(find "$build"/CMakeFiles/libration-{studies,claims}.dir -name '*.o')
-libraries=(-lfmt -lsqlite3 -lcrypto -lhwy -lflint-arb -lflint -lmpfr -lgmp -lpthread $(g++ -print-file-name=libquadmath.so))
+libraries=(-lfmt -lsqlite3 -lcrypto -lz -lhwy -lflint-arb -lflint -lmpfr -lgmp -lpthread $(g++ -print-file-name=libquadmath.so))
 
 # The sources of a target in addition to its main file, as patterns.
 sources_of() {
