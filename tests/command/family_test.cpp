@@ -37,6 +37,17 @@ TEST_CASE("a family of thousands in double is a table of its closed form", "[com
     }
 }
 
+// x = e^(1 - p): the parameter moves the initial point of each member.
+TEST_CASE("members of a family begin at their own initial points", "[command][family]") {
+    const auto rows = rows_of({"trajectory", "--problem", "x' = x; x(p) = 1; p = 0", "--set", "p=0:1/2:3", "--time",
+                               "1", "--scalar", "double"});
+    REQUIRE(rows.size() == 3);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const double exact = std::exp(1 - static_cast<double>(i) / 4);
+        CHECK(std::abs(value_of(rows[i].at("x")) - exact) <= 64 * epsilon_of_double * exact);  // a step or two
+    }
+}
+
 TEST_CASE("the number of threads changes no digit of a family", "[command][family]") {
     const words family{"trajectory", "--problem", "x'' = -sin(x)", "--set",  "x(0)=0:3:600", "--set", "x'(0)=0",
                        "--times",    "0:4:3",     "--scalar",      "double", "--format",     "csv"};

@@ -189,17 +189,20 @@ TEST_CASE("there is no derivative of a value at the time at which it jumps", "[p
 }
 
 TEST_CASE("derivatives that differ on two sides are rejected", "[problem][hybrid][derivatives]") {
-    const std::string either = "moves the solution to either side of `";
+    const std::string surface = "is not supported for a solution that begins on the surface of `";
     const std::string relay = "x'' = -sign(x); x(0) = 0; x'(0) = 1";
-    CHECK_THAT(refused(relay, "x(0)"), Catch::Contains("derivatives x(0) " + either + "sign(x)`"));
+    CHECK_THAT(refused(relay, "x(0)"), Catch::Contains("derivatives x(0) " + surface + "sign(x)`"));
     CHECK(refused(relay, "x'(0)").empty());
+    CHECK(refused("x'' = -sign(x); x(0) = 1e-50; x'(0) = 1", "x(0)").empty());
     // At rest at the level: a small velocity downwards would reach it again.
     const std::string at_rest = "x'' = 1; x(0) = 0; x'(0) = v; when x = 0 up: x = 5; v = 0";
-    CHECK_THAT(refused(at_rest, "v"), Catch::Contains("derivatives v " + either + "when x = 0 up`"));
+    CHECK_THAT(refused(at_rest, "v"), Catch::Contains("derivatives v " + surface + "when x = 0 up`"));
     const std::string moving = "x'' = 1; x(0) = p^2; x'(0) = 1; when x = 0 down: x = 5; p = 0";
-    CHECK_THAT(refused(moving, "p"), Catch::Contains("derivatives p " + either));
+    CHECK_THAT(refused(moving, "p"), Catch::Contains("derivatives p " + surface));
     CHECK_THAT(refused(relay, "y(0)"), Catch::Contains("is neither a parameter nor an initial value"));
     CHECK_THAT(refused(relay, "r"), Catch::Contains("is neither a parameter nor an initial value"));
+    const std::string later = "x' = x; x(p) = 1; p = 1; when x = 100 up: x = 1";
+    CHECK_THAT(refused(later, "p"), Catch::Contains("derivatives p determines the initial point"));
     CHECK_THAT(refused("x' = floor(t/T); x(0) = 0; T = 2", "T"), Catch::Contains("linear in t"));
 }
 

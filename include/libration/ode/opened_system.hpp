@@ -29,7 +29,8 @@ struct opened_system {
 opened_system opened(const equation_system& given, const std::vector<std::string>& names,
                      const std::vector<expression>& others = {});
 
-/// The parameter of this name. Throws error, with the names that the problem has, if it has none or no number.
+/// The parameter of this name. Throws error if there is none, if it has no number, and if the initial point depends on
+/// it.
 const definition& given_parameter(const equation_system& of, const std::string& name);
 
 /// The equations of these unknowns and of those that they depend on; all free numbers keep their leaves.

@@ -123,6 +123,12 @@ const definition& given_parameter(const equation_system& of, const std::string& 
     if (found == nullptr) {
         refuse(name, {}, "is neither a parameter nor an initial value of the problem" + remedy_for(name, of));
     }
+    parameter_values values(of, {{name, unknown(name)}});
+    for (const start& each : of.starts) {
+        if (!values.in(each.point).is_constant()) {
+            refuse(name, {}, "determines the initial point, which must not vary: write the initial point as a number");
+        }
+    }
     return *found;
 }
 

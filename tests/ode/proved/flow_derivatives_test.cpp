@@ -183,6 +183,15 @@ TEST_CASE("derivatives by what a problem does not have are errors", "[ode][prove
     refused({"n"}, "derivatives");
 }
 
+// x = e^(t - t0): a derivative at a fixed initial point would be 0 instead of -2 x.
+TEST_CASE("a number that moves the initial point has no derivative", "[ode][proved][derivatives]") {
+    const auto system = ode::parse("x' = x; x(t0) = 1; t0 = 2*p; p = 1/2");
+    for (const std::string number : {"p", "t0"}) {
+        CHECK_THROWS_WITH(ode::proved_derivatives(system, times_of({"2"}), {number}, 10),
+                          Catch::Contains("derivatives '" + number + "' determines the initial point"));
+    }
+}
+
 TEST_CASE("times that are not reached leave the others", "[ode][proved][derivatives]") {
     const precision_scope scope(50);
     const auto found = ode::proved_derivatives(ode::parse("y' = y^2; y(0) = 1"), times_of({"1/2", "2"}), {"y(0)"}, 20);

@@ -122,6 +122,13 @@ TEST_CASE("unknown parameters and starts with conditions in closed form", "[ode]
     CHECK(within_a_unit(two[1], ball(1) / (a + b), 40));
 }
 
+// x = p + (1 - p) e^(p - t) is 1/2 at 2 for p = 0.377..., and for p = 0.356... if the initial point stays at 0.5.
+TEST_CASE("an initial point is not an unknown", "[ode][proved]") {
+    CHECK_THROWS_WITH(proved_unknowns(parse("x' = -x + p; x(p) = 1; p = 1/2"), {"p"},
+                                      {{"x", 0, number(rational(2)), number(rational(1, 2))}}, 10),
+                      Catch::Contains("'p' determines the initial point"));
+}
+
 TEST_CASE("conditions on both sides of the start", "[ode][proved]") {
     const precision_scope scope(70);
     const auto found = proved_unknowns(

@@ -78,7 +78,6 @@ public:
 
 private:
     equation_system equations(const step_values& values, const number& point, const std::vector<number>& state) const;
-    void read_parameters(parameter_values& parameters);
     void read_starts(parameter_values& parameters);
     void require_state_in_events() const;
 
@@ -88,6 +87,9 @@ private:
     number point_;
     std::vector<state_variation> variations_;
 };
+
+/// Replaces parameters in the equations, step functions and events of a system.
+void put_values(equation_system& in, parameter_values& parameters);
 
 /// The expression with leaves replaced by the expression of the same index.
 expression with_leaves(const expression& e, const std::vector<expression>& leaves, const std::vector<expression>& by);

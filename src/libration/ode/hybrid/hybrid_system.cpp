@@ -140,7 +140,7 @@ hybrid_system::hybrid_system(const equation_system& given) : given_(given) {
         open.emplace(each.parameter, parameter(each.parameter));
     }
     parameter_values parameters(given, std::move(open));
-    read_parameters(parameters);
+    put_values(given_, parameters);
     read_starts(parameters);
     given_.parameters.clear();
     require_state_in_events();
@@ -152,23 +152,6 @@ hybrid_system::hybrid_system(const equation_system& given) : given_(given) {
             refuse(step.text, step.at,
                    "is not supported: write an argument that is linear in " + given_.variable +
                        ", with constant coefficients");
-        }
-    }
-}
-
-// Everything with numbers for the parameters.
-void hybrid_system::read_parameters(parameter_values& parameters) {
-    for (equation& each : given_.equations) {
-        each.left = parameters.in(each.left);
-        each.right = parameters.in(each.right);
-    }
-    for (step_function& each : given_.steps) {
-        each.argument = parameters.in(each.argument);
-    }
-    for (state_event& each : given_.events) {
-        each.condition = parameters.in(each.condition);
-        for (reset& value : each.resets) {
-            value.value = parameters.in(value.value);
         }
     }
 }
@@ -219,6 +202,22 @@ void hybrid_system::require_state_in_events() const {
                        "is not part of the state, which consists of unknowns and lower derivatives: leave it out");
             }
             require_state(value.value, leaves_, value.at);
+        }
+    }
+}
+
+void put_values(equation_system& in, parameter_values& parameters) {
+    for (equation& each : in.equations) {
+        each.left = parameters.in(each.left);
+        each.right = parameters.in(each.right);
+    }
+    for (step_function& each : in.steps) {
+        each.argument = parameters.in(each.argument);
+    }
+    for (state_event& each : in.events) {
+        each.condition = parameters.in(each.condition);
+        for (reset& value : each.resets) {
+            value.value = parameters.in(value.value);
         }
     }
 }

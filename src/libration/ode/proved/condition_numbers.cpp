@@ -13,7 +13,8 @@ namespace {
 
 constexpr long digits_of_moves = 20;
 
-// Parameters that can be opened: not exponents, and not those used only in other parameters.
+// Parameters that can be opened: not exponents, nor those of the initial point, nor those that only other parameters
+// contain.
 std::vector<std::string> names_to_open(const equation_system& system) {
     std::vector<std::string> names;
     for (const definition& each : system.parameters) {

@@ -11,8 +11,8 @@ namespace libration::ode {
 
 /// proved_part_of_hybrid with the derivatives of every value with respect to `numbers`, as proved_derivatives: at an
 /// event by the saltation matrix (theorem H, 4), so that events move with the numbers. Throws the errors of both, and
-/// error of the subject "derivatives" for a number that moves the initial point away from the condition of an event, or
-/// the solution away from it there: the solutions on its two sides differ.
+/// error of the subject "derivatives" if the condition of an event holds at the initial point and nearby solutions may
+/// cross its surface there.
 partial_derivatives proved_derivatives_of_hybrid(const equation_system& given, const std::vector<number>& times,
                                                  const std::vector<std::string>& numbers, long digits,
                                                  const march_watch& watch = {}, const proof_route& route = {});

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "../../differentiated_numbers.hpp"
 #include "../../proved/needed_bits.hpp"
 #include "libration/ode/hybrid/proved/first_steps.hpp"
 #include "libration/ode/hybrid/proved/hybrid_trajectory.hpp"
@@ -12,37 +13,37 @@ namespace libration::ode {
 
 namespace {
 
-constexpr long bits_at_start = 128;
+// The sign of an expression in the leaves of the form at its initial point, by exact arithmetic.
+int sign_at(const first_order_form& form, const number& point, const expression& e) {
+    std::vector<expression> leaves = form.leaves;
+    std::vector<expression> values(form.starts.begin(), form.starts.end());
+    leaves.push_back(variable());
+    values.emplace_back(point);
+    return with_leaves(e, leaves, values).constant().sign();
+}
 
-// Whether solutions for all near numbers are on the same side of a surface directly after the initial point.
+// Whether the solutions for all nearby numbers are on the same side of a surface directly after the initial point.
 bool is_same_side(const varied_system& of, const explicit_system& branch, std::size_t index, const expression& g) {
     const dependence_on_number& dependence = of.dependences[index];
-    if (!dependence.has(g)) {
+    const first_order_form form(branch);
+    const expression in_leaves = form.in_leaves(g);
+    if (!dependence.has(g) || sign_at(form, branch.point(), in_leaves) != 0) {
         return true;
     }
     const expression at_start = with_leaves(g, of.leaves, dependence.starts);
-    const first_order_form form(branch);
-    expression_values<ball> values(form.leaves, constant_value<ball>::of(branch.point()));
-    for (const auto& each : form.starts) {
-        values.push_back(constant_value<ball>::of(each));
-    }
-    if (!contains_zero(values.of(form.in_leaves(g)))) {
-        return true;
-    }
-    return partial(at_start, dependence.leaf).is(0) && !contains_zero(values.of(form.slope_of(form.in_leaves(g))));
+    return partial(at_start, dependence.leaf).is(0) && sign_at(form, branch.point(), form.slope_of(in_leaves)) != 0;
 }
 
 void require_same_side(const varied_system& of, const std::vector<std::string>& numbers) {
-    const precision_scope scope(decimal_digits(bits_at_start));
     const step_values steps = steps_after_start(of.system);
     const explicit_system branch = of.system.first_branch(steps);
     for (const surface& each : of.system.surfaces(steps)) {
         for (std::size_t i = 0; i < numbers.size(); ++i) {
             if (!each.time && !is_same_side(of, branch, i, each.g)) {
-                throw error(error_kind::argument, "derivatives", numbers[i],
-                            "moves the solution to either side of `" + each.text +
-                                "`, on which it begins, and beyond which it is another one: choose another number or "
-                                "initial point");
+                refuse_derivative(numbers[i], "is not supported for a solution that begins on the surface of `" +
+                                                  each.text +
+                                                  "`, which nearby solutions may cross: choose another number or "
+                                                  "initial point");
             }
         }
     }

@@ -39,7 +39,7 @@ public:
     varying(const equation_system& given, const std::vector<std::string>& numbers)
         : plain_(given),
           numbers_(numbers),
-          asked_(given, names_of_state(plain_), plain_.point(), numbers),
+          requested_(given, names_of_state(plain_), plain_.point(), numbers),
           leaves_(plain_.leaves()),
           numbers_at_start_(plain_.starts()),
           varied_(with_parameters_open(given)) {
@@ -48,17 +48,17 @@ public:
                 std::ranges::find_if(varied_.starts, [&](const start& each) { return same_form(each.of, leaf); });
             starts_.push_back(found->value);
         }
-        for (const std::string& each : asked_.parameters) {
+        for (const std::string& each : requested_.parameters) {
             leaves_.push_back(unknown(each));
             starts_.push_back(unknown(each));
-            numbers_at_start_.push_back(number_with_values(given_parameter(given, each).value, given));
+            numbers_at_start_.push_back(number_with_values(given.parameter_of(each)->value, given));
         }
         solve();
     }
 
     varied_system result() {
         std::vector<dependence_on_number> dependences;
-        for (const auto& column : asked_.columns) {
+        for (const auto& column : requested_.columns) {
             const std::size_t place = column.of_start ? column.index : plain_.leaves().size() + column.index;
             dependences.push_back(dependence_on(place));
         }
@@ -91,37 +91,23 @@ public:
     }
 
 private:
-    // Everything with numbers for the parameters, except for those of the step functions and the ones that are asked
-    // for, which are unknowns.
+    // Numbers for the parameters, except those of the step functions, and the requested ones, which become unknowns.
     equation_system with_parameters_open(const equation_system& given) const {
         std::map<std::string, expression> open;
         for (const step_function& each : given.steps) {
             open.emplace(each.parameter, parameter(each.parameter));
         }
-        for (const std::string& each : asked_.parameters) {
-            given_parameter(given, each);
-            open.emplace(each, unknown(each));
+        for (const std::string& each : requested_.parameters) {
+            open.emplace(given_parameter(given, each).name, unknown(each));
         }
         parameter_values values(given, std::move(open));
         equation_system made = given;
         made.invariants.clear();
         made.exact.clear();
         made.parameters.clear();
-        for (equation& each : made.equations) {
-            each.left = values.in(each.left);
-            each.right = values.in(each.right);
-        }
+        put_values(made, values);
         for (start& each : made.starts) {
             each.value = values.in(each.value);
-        }
-        for (step_function& each : made.steps) {
-            each.argument = values.in(each.argument);
-        }
-        for (state_event& each : made.events) {
-            each.condition = values.in(each.condition);
-            for (reset& value : each.resets) {
-                value.value = values.in(value.value);
-            }
         }
         return made;
     }
@@ -143,7 +129,7 @@ private:
         for (std::size_t k = 0; k < leaves_.size(); ++k) {
             smooth.begin(leaves_[k], expression(numbers_at_start_[k]), point);
         }
-        for (const std::string& each : asked_.parameters) {
+        for (const std::string& each : requested_.parameters) {
             smooth.add(derivative(unknown(each)));
         }
         for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -238,7 +224,7 @@ private:
 
     hybrid_system plain_;
     const std::vector<std::string>& numbers_;
-    differentiated_numbers asked_;
+    differentiated_numbers requested_;
     std::vector<expression> leaves_;  // the state, and the parameters
     std::vector<expression> starts_;  // of the leaves, in terms of the parameters
     std::vector<number> numbers_at_start_;
