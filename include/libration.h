@@ -293,8 +293,9 @@ int libration_list_radius(const char *coefficients, long digits, libration_table
  * row, one row per time, decimals or hexadecimal floats as written, also nan and inf. `rules` are "tolerance = 1e-12",
  * "relative = 1e-9", "ulp = 4" (units in the last place of a double of max(1, |true value|)), "rounding = half" (half a
  * unit of the last digit as written), "modulo = 2pi" for theta, separated by ;, or NULL: one unit of the last digit as
- * written, for values that are all doubles in decimal, as "%.18e" prints them, half a unit in their last place. A table: time, verdict (ok, miss), condition, and for
- * each name NAME_reference (proved), NAME_error, NAME_correct_digits. */
+ * written, for values that are all doubles in decimal, as "%.18e" prints them, half a unit in their last place; times
+ * that are all doubles in decimal are these doubles. A table: time, verdict (ok, miss), condition, and for each name
+ * NAME_reference (proved), NAME_error, NAME_correct_digits. */
 int libration_motion_verify(const libration_motion *motion, const char *names, const char *times, const char *values,
                             const char *rules, libration_watch watch, void *context, libration_table **compared);
 int libration_problem_verify(const libration_problem *problem, const char *names, const char *times, const char *values,

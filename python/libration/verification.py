@@ -102,7 +102,8 @@ def verify(
     data is a DataFrame, the path of a CSV file, a Table or a mapping of columns. Values and times in double count as
     the exact numbers that they are; texts as they are written. Without a tolerance it is one unit of the last digit as
     written (half of it with `rounding`, for printed tables), of a double its last bit, of a column of doubles in decimal
-    ("%.18e") half a unit in their last place; `ulp` counts units in the last place of a double of max(1, |truth|).
+    ("%.18e") half a unit in their last place; times in such a column are these doubles; `ulp` counts units in the last
+    place of a double of max(1, |truth|).
     Raises ArgumentError for what is no number.
     """
     if (motion is None) == (problem is None):

@@ -50,7 +50,7 @@ running_questions& running() {
 
 const std::vector<statement_kind>& statement_kinds() {
     static const std::vector<statement_kind> all{
-        {"value", "unknowns at a time", 320, ask_value},
+        {"value", "unknowns at a time", 310, ask_value},
         {"special function", "solutions by functions of mpmath, alone and beside others", 30, ask_special_function},
         {"event", "times of events, and the unknowns there", 160, ask_event},
         {"count", "events before a time", 100, ask_count},
@@ -68,6 +68,7 @@ const std::vector<statement_kind>& statement_kinds() {
         {"limit", "limits at equilibria", 10, ask_limit},
         {"delay", "solutions with a constant delay", 10, ask_delay},
         {"set", "bounds of all solutions of a set", 10, ask_set},
+        {"derivative", "with respect to initial values and parameters, also across events", 10, ask_derivative},
     };
     return all;
 }

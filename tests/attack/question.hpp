@@ -45,6 +45,7 @@ outcome ask_root_time(choices& next);
 outcome ask_limit(choices& next);
 outcome ask_delay(choices& next);
 outcome ask_set(choices& next);
+outcome ask_derivative(choices& next);
 
 /// Stores the command of this thread's current question, and returns it; an empty one ends the question.
 std::string announce(std::string command);

@@ -104,6 +104,33 @@ TEST_CASE("verify takes decimals of doubles for these", "[command][verify]") {
     CHECK_FALSE(says(right, "doubles in decimal"));
 }
 
+// cos of the doubles of pi/2 and 3 pi/2 (Python: "%.18e" % math.cos(math.pi/2)), which those of the decimals miss by one
+// part in 10^5.
+TEST_CASE("verify takes times for doubles that were printed so", "[command][verify]") {
+    const words cosine{"--problem", "x'' = -x; x(0) = 1; x'(0) = 0"};
+    const std::string rows =
+        "t,x\n1.570796326794896558e+00,6.123233995736766036e-17\n4.712388980384689674e+00,-1.836970198721029688e-16\n";
+    const auto done = verify(rows, cosine);
+    CHECK(done.exit_code == 0);
+    CHECK(says(done, "doubles in decimal: 't': the values are compared at these doubles"));
+    CHECK(verify(rows, cosine + words{"--inputs", "double"}).exit_code == 0);
+    const auto as_typed = verify(rows, cosine + words{"--inputs", "decimal"});
+    CHECK(as_typed.exit_code == 1);
+    CHECK_FALSE(says(as_typed, "at these doubles"));
+    // Short decimals are as typed, but not beside others that have all digits of a double.
+    CHECK_FALSE(says(verify("t,x\n0.1,0.995\n", cosine), "at these doubles"));
+    CHECK(says(verify(rows + "0.1,0.995\n", cosine), "at these doubles"));
+    CHECK_FALSE(says(verify(rows + "0.1000000000000000001,0.995\n", cosine), "at these doubles"));
+    // A motion in other columns is a double only where it is exactly one.
+    const auto of_motion = [&](const std::string& angle) {
+        return says(verify("time,theta,theta0,omega0\n1.570796326794896558e+00,0.5," + angle + ",0\n"),
+                    "at these doubles");
+    };
+    CHECK(of_motion("0.5"));
+    CHECK(of_motion("1.000000000000000056e-01"));
+    CHECK_FALSE(of_motion("0.1"));
+}
+
 // tan 1 = 1.5574077...
 TEST_CASE("verify judges printed tables by half a unit", "[command][verify]") {
     const words tangent{"--problem", "x' = 1 + x^2; x(0) = 0"};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
+#include <iterator>
 #include <memory>
 
 #include "equation/problem_options.hpp"
@@ -31,7 +32,7 @@ struct verify_options {
     std::string file;
     std::optional<std::string> tolerance, relative, ulps, columns;
     bool modulo_turn = false, rounding = false;
-    std::string inputs = "decimal";
+    std::optional<std::string> inputs;
     std::string format = "csv";
     std::optional<std::string> out;
     std::optional<std::string> jobs;
@@ -67,23 +68,46 @@ void show_progress(long count) {
 // What every row of a file shares.
 struct comparison_run {
     const column_names& names;
-    const compare_rules& rules;
+    compare_rules& rules;
     const row_writer& writer;
     const row_subject& subject;
+    bool finds_inputs;  // whether times and arguments are doubles, which --inputs does not tell
     int jobs;
 };
 
-// The compared columns that hold doubles, by the first rows: the same ones whatever the number of threads.
-std::vector<bool> columns_of_doubles(const std::vector<row_batch>& batches, const comparison_run& run) {
-    const auto& compared = run.subject.compared();
-    if (!run.rules.by_last_digit() || run.rules.rounded) {
-        return std::vector<bool>(compared.size());
-    }
+// Columns are recognised by these: the same ones whatever the number of threads.
+row_batch first_rows(const std::vector<row_batch>& batches) {
     row_batch first;
     for (std::size_t i = 0; i < std::min(batches.size(), batches_per_job); ++i) {
         first.insert(first.end(), batches[i].begin(), batches[i].end());
     }
+    return first;
+}
+
+// The compared columns that hold doubles.
+std::vector<bool> columns_of_doubles(const row_batch& first, const comparison_run& run) {
+    const auto& compared = run.subject.compared();
+    if (!run.rules.by_last_digit() || run.rules.rounded) {
+        return std::vector<bool>(compared.size());
+    }
     return double_columns(first, run.writer.between(), compared);
+}
+
+// The columns of times and arguments. Two columns of the same quantity are none: the subject does not read them.
+std::vector<std::size_t> input_columns(const comparison_run& run) {
+    std::vector<std::size_t> places;
+    for (const known_column& each : run.subject.known()) {
+        std::optional<std::size_t> at;
+        try {
+            at = run.names.find(each.name);
+        } catch (const input_error&) {
+            continue;
+        }
+        if (at && std::ranges::none_of(run.subject.compared(), [&](const auto& column) { return column.at == *at; })) {
+            places.push_back(*at);
+        }
+    }
+    return places;
 }
 
 std::vector<std::string> own_names(const comparison_run& run, const std::vector<bool>& chosen) {
@@ -102,8 +126,16 @@ void compare_all(column_file& records, const comparison_run& run, row_target& ta
     std::atomic<long> finished = 0;
     const status_source status([&] { return fmt::format("row {}", finished.load()); });
     auto batches = read_batches(records, most);
-    const auto of_doubles = columns_of_doubles(batches, run);
+    const row_batch first = first_rows(batches);
+    const auto of_doubles = columns_of_doubles(first, run);
     summary.name_doubles(own_names(run, of_doubles));
+    if (const auto inputs = input_columns(run);
+        run.finds_inputs && are_double_columns(first, run.writer.between(), inputs)) {
+        run.rules.inputs_are_doubles = true;
+        std::vector<std::string> own;
+        std::ranges::transform(inputs, std::back_inserter(own), [&](std::size_t at) { return run.names.own(at); });
+        summary.name_inputs(std::move(own));
+    }
     for (; !batches.empty(); batches = read_batches(records, most)) {
         std::vector<std::vector<compared_row>> compared(batches.size());
         on_threads(batches.size(), run.jobs, [&](std::size_t i) {
@@ -153,8 +185,8 @@ compare_rules rules_of(const verify_options& options) {
                               "give one of the two");
         }
     }
-    if (options.inputs != "decimal" && options.inputs != "double") {
-        throw input_error("--inputs", options.inputs, "is neither decimal nor double",
+    if (options.inputs && options.inputs != "decimal" && options.inputs != "double") {
+        throw input_error("--inputs", *options.inputs, "is neither decimal nor double",
                           "write decimal for numbers as typed, double for their nearest doubles");
     }
     if (options.format != "csv" && options.format != "json") {
@@ -169,7 +201,7 @@ compare_rules rules_of(const verify_options& options) {
 }
 
 int run_verify(const verify_options& options) {
-    const compare_rules rules = rules_of(options);
+    compare_rules rules = rules_of(options);
     const int jobs = jobs_of(options.jobs);  // complains before a file is read
     const auto subject = row_subject_of(options.problem, options.motion, rules);
     input_stream source("FILE", options.file);
@@ -183,7 +215,7 @@ int run_verify(const verify_options& options) {
     }
     row_target target(options.out);
     target.write(writer.head());
-    const comparison_run run{names, rules, writer, *subject, jobs};
+    const comparison_run run{names, rules, writer, *subject, !options.inputs, jobs};
     verify_summary summary(source.name(), own_names(run, std::vector<bool>(subject->compared().size(), true)));
     compare_all(records, run, target, summary);
     target.write(writer.tail());
@@ -225,9 +257,10 @@ subcommand verify_command(CLI::App& program) {
                       "half a unit of the last digit as written: for printed tables, whose values are rounded");
     command->add_flag("--modulo-2pi", options->modulo_turn, "theta counts modulo 2 pi");
     command
-        ->add_option("--inputs", options->inputs, "decimal: times and motions as typed; double: their nearest doubles")
-        ->type_name("decimal|double")
-        ->capture_default_str();
+        ->add_option("--inputs", options->inputs,
+                     "decimal: times and arguments as typed; double: their nearest doubles; "
+                     "without it double if they are doubles in decimal, such as those of numpy.savetxt")
+        ->type_name("decimal|double");
     command->add_option("--format", options->format, "csv or json")->type_name("FORMAT")->capture_default_str();
     command->add_option("--out", options->out, "write the rows to this file instead of stdout")->type_name("FILE");
     command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");

@@ -30,4 +30,24 @@ std::vector<bool> double_columns(const std::vector<csv_record>& records, separat
     return recognised;
 }
 
+bool are_double_columns(const std::vector<csv_record>& records, separator between,
+                        const std::vector<std::size_t>& places) {
+    std::vector<double_decimals> columns(places.size());
+    for (const csv_record& record : records) {
+        const auto cells = split_cells(record.text, between).cells;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            if (places[i] >= cells.size()) {
+                return false;
+            }
+            try {
+                columns[i].add(trimmed(cells[places[i]]));
+            } catch (const error&) {
+                return false;
+            }
+        }
+    }
+    return std::ranges::any_of(columns, &double_decimals::recognised) &&
+           std::ranges::all_of(columns, [](const double_decimals& each) { return each.recognised() || each.exact(); });
+}
+
 }  // namespace libration

@@ -13,4 +13,9 @@ namespace libration {
 std::vector<bool> double_columns(const std::vector<csv_record>& records, separator between,
                                  const std::vector<compared_column>& compared);
 
+/// Whether the columns at these places, of times and arguments, hold doubles: one of them decimals of doubles, and each
+/// of the others these or numbers that are doubles, such as 2.5. Not if a cell is not a number.
+bool are_double_columns(const std::vector<csv_record>& records, separator between,
+                        const std::vector<std::size_t>& places);
+
 }  // namespace libration

@@ -59,6 +59,13 @@ void verify_summary::print() const {
                    "double\n",
                    without_controls(listed(of_doubles_), longest_reason));
     }
+    if (!inputs_.empty()) {
+        fmt::print(
+            stderr,
+            "doubles in decimal: {}: the values are compared at these doubles; --inputs decimal for the numbers as "
+            "typed\n",
+            without_controls(listed(inputs_), longest_reason));
+    }
     if (unproved_ > 0) {
         fmt::print(stderr,
                    "{} rows are compared with values on which two computations agree, and which are not proved\n",

@@ -23,6 +23,9 @@ public:
     /// These columns hold doubles, which determines their tolerance.
     void name_doubles(std::vector<std::string> columns) { of_doubles_ = std::move(columns); }
 
+    /// The times and arguments in these columns are taken for doubles.
+    void name_inputs(std::vector<std::string> columns) { inputs_ = std::move(columns); }
+
     void add(const compared_row& row);
     /// To stderr.
     void print() const;
@@ -44,7 +47,7 @@ private:
     long malformed_named_ = 0;
     long undecided_named_ = 0;
     std::optional<compared_row> worst_;
-    std::vector<std::string> of_doubles_;
+    std::vector<std::string> of_doubles_, inputs_;
     common_mistake mistake_;
     std::map<long, long> digits_;  ///< how many rows have so many correct digits
 };

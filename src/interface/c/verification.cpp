@@ -112,6 +112,19 @@ void add_row(libration_table& table, const std::string& time, const compared_val
     }
 }
 
+// Whether the times are doubles in decimal.
+bool times_are_doubles(const asked_values& asked) {
+    double_decimals column;
+    for (const std::string& time : asked.times) {
+        try {
+            column.add(time);
+        } catch (const error&) {  // 2T/3, for instance
+            return false;
+        }
+    }
+    return column.recognised();
+}
+
 // For each name, whether its values are doubles in decimal.
 std::vector<bool> names_of_doubles(const asked_values& asked, const compare_rules& rules) {
     std::vector<bool> found(asked.names.size());
@@ -133,6 +146,7 @@ libration_table compared(const asked_values& asked, const compare_rules& rules, 
                          const std::function<row_question(const exact& time)>& ask) {
     libration_table table = table_for(asked.names);
     const auto of_doubles = names_of_doubles(asked, rules);
+    const bool at_doubles = times_are_doubles(asked);
     for (std::size_t row = 0; row < asked.times.size(); ++row) {
         watch(row, asked.times.size());
         std::vector<written_value> values;
@@ -141,7 +155,7 @@ libration_table compared(const asked_values& asked, const compare_rules& rules, 
         }
         const std::string& text = asked.times[row];
         const exact time = is_hexadecimal(text) ? read_typed(text) : given_time("time", text);
-        add_row(table, text, compare_row(values, ask(time), rules));
+        add_row(table, text, compare_row(values, ask(at_doubles ? nearest_double(time) : time), rules));
     }
     return table;
 }

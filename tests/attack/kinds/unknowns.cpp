@@ -61,11 +61,25 @@ asked_unknown of_bent(choices& next) {
             fmt::format("y(1) = {}", c.text), value};
 }
 
+// A parameter that moves the initial value, y = p^2 e^(a t), or the initial point, y = e^(a (t - p)).
+asked_unknown of_moved_start(choices& next) {
+    const constant a = any_constant(next);
+    const constant c = any_constant(next);
+    const bool value_moves = next.one_in(2);
+    const truth value = [=] {
+        return value_moves ? mpfr(sqrt(mpfr(c.value() * exp(mpfr(-2 * a.value())))))
+                           : mpfr(2 - log(c.value()) / a.value());
+    };
+    return {fmt::format("y' = {}*y; {}; p = {}", a.text, value_moves ? "y(0) = p^2" : "y(p) = 1", near_to(value, next)),
+            "p", fmt::format("y(2) = {}", c.text), value};
+}
+
 asked_unknown any_unknown(choices& next) {
-    switch (next.below(4)) {
+    switch (next.below(5)) {
         case 0: return of_rate(next);
         case 1: return of_pole(next);
         case 2: return of_oscillator(next);
+        case 3: return of_moved_start(next);
         default: return of_bent(next);
     }
 }

@@ -39,6 +39,21 @@ TEST_CASE("columns of doubles are recognised, and others are not", "[verify]") {
     CHECK_FALSE(recognised({"nan"}));
 }
 
+TEST_CASE("numbers that are doubles", "[verify]") {
+    const auto exact = [](const std::vector<std::string>& column) {
+        double_decimals decimals;
+        for (const std::string& each : column) {
+            decimals.add(each);
+        }
+        return decimals.exact();
+    };
+    CHECK(exact({"0.5", "-3", "1e22", "0x1.8p+1"}));
+    CHECK_FALSE(exact({"0.5", "0.1", "0.25"}));
+    CHECK_FALSE(exact({"1.000000000000000056e-01"}));
+    CHECK_FALSE(exact({"1e23"}));
+    CHECK_FALSE(exact({"1e400", "1"}));
+}
+
 TEST_CASE("a unit in the last place is that of the double", "[verify]") {
     for (const double x : {1.0, 1.9999, 2.0, -3.7, 1e-300, 0x1p-1074, 1e300}) {
         const double up = std::nextafter(std::abs(x), HUGE_VAL);

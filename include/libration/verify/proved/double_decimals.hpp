@@ -16,9 +16,12 @@ public:
     void add(const std::string& text);
     /// Whether all of them are, and by chance with a probability of less than 1/100.
     bool recognised() const;
+    /// Whether all of them are exactly doubles, as 0.5 is, so that reading them as decimals or as doubles is the same.
+    bool exact() const { return exact_; }
 
 private:
     bool all_ = true;
+    bool exact_ = true;
     double chance_ = 1;
 };
 
