@@ -1,6 +1,6 @@
 // Many solutions of one system in double, from 1000 starts near that of the benchmark `equations` to its end time: in
 // lock step in the lanes of SIMD vectors, on one thread and on all of them, compared with one after the other by
-// taylor_march, by Boost.odeint and by GSL.
+// taylor_march, with and without vector instructions, by Boost.odeint and by GSL.
 //
 //   ./run bench batch
 //
@@ -198,6 +198,12 @@ void add_ours(std::vector<contender>& all, const many_starts& of, const mpfr& as
     add(all, fmt::format("the same on {} threads, wall-clock time", threads), on_the_wall, error, asked);
     add(all, "libration taylor_march<double>, one by one",
         bench::timed(solutions, [&of, bits] { benchmark::DoNotOptimize(ends_alone(of, bits, true)); }), error, asked);
+    const auto scalar = bench::timed(solutions, [&of, bits] { benchmark::DoNotOptimize(ends_alone(of, bits, true)); });
+    const auto without_vectors = [scalar] {
+        const vector_instructions_scope scope(vector_instructions().back());
+        return scalar();
+    };
+    add(all, "the same without vector instructions", without_vectors, error, asked);
 }
 
 void add_odeint(std::vector<contender>& all, const many_starts& of, const mpfr& asked) {
