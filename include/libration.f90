@@ -347,6 +347,19 @@ module libration
             type(c_ptr), value :: context
             type(c_ptr), intent(out) :: bounds
         end function
+        function libration_problem_enclosed_events(problem, condition, count, most_parts, digits, watch, context, &
+                                                   bounds) bind(c)
+            import :: c_ptr, c_char, c_long, c_int, c_funptr
+            integer(c_int) :: libration_problem_enclosed_events
+            type(c_ptr), value :: problem
+            character(kind=c_char), intent(in) :: condition(*)
+            integer(c_long), value :: count
+            integer(c_long), value :: most_parts
+            integer(c_long), value :: digits
+            type(c_funptr), value :: watch
+            type(c_ptr), value :: context
+            type(c_ptr), intent(out) :: bounds
+        end function
         function libration_problem_find(problem, unknowns, conditions, digits, watch, context, values) bind(c)
             import :: c_ptr, c_char, c_long, c_int, c_funptr
             integer(c_int) :: libration_problem_find

@@ -200,6 +200,12 @@ int libration_problem_limits(const libration_problem *problem, long digits, libr
  * solutions are proved to reach. The callback is called in integrations, with 0. */
 int libration_problem_enclosures(const libration_problem *problem, const char *times, long most_parts, long digits,
                                  libration_watch watch, void *context, libration_table **bounds);
+/* The same for the first `count` events of all solutions, libration_problem_events, where the condition may contain the
+ * parameters that are intervals: event, quantity, lower, upper, a row for "time" and for each unknown. UNDECIDED also gives
+ * a table, of the first ones, if not all solutions are proved to have as many. */
+int libration_problem_enclosed_events(const libration_problem *problem, const char *condition, long count,
+                                      long most_parts, long digits, libration_watch watch, void *context,
+                                      libration_table **bounds);
 /* The first `count` times after the initial point at which a condition on the unknowns holds, "x' = 1/2": time and one
  * column for each name, proved, without omissions. UNDECIDED also gives a table, of the first ones, if there are not as
  * many within 5000 steps each or before the solution ends, and if a number of one is not distinguished from 0: it is then

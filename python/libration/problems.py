@@ -225,6 +225,16 @@ class Problem:
         except UndecidedError as problem:
             raise _with_partial(problem, Table._of) from None
 
+    def enclosed_events(self, condition: str, count: int = 1, digits: int = 50, parts: int = 64) -> Table:
+        """Bounds of the first `count` events of all solutions of a problem whose initial values or parameters are
+        intervals: a Table with the columns event, quantity ("time" and the unknowns), lower, upper, rounded outwards and
+        proved, as enclosures(). The condition may contain these parameters. Raises UndecidedError where not all
+        solutions are proved to have as many; its `partial` has the others."""
+        try:
+            return Table._of(self._problem.enclosed_events(condition, count, parts, digits))
+        except UndecidedError as problem:
+            raise _with_partial(problem, Table._of) from None
+
     def events(
         self, condition: str, count: int = 1, digits: int = 50, certificate: str | PathLike[str] | None = None
     ) -> Table:

@@ -216,6 +216,14 @@ def test_all_solutions_of_a_set():
     assert lower * 0.9 < at["lower"].mpmath() <= lower
     with pytest.raises(lb.ArgumentError, match="set of values"):
         growth.reference(1)
+    # It is 2 at ln(2/x0)/b.
+    event = {row["quantity"]: row for row in growth.enclosed_events("x = 2", digits=20)}
+    assert event["time"]["lower"].mpmath() <= mpmath.log(mpmath.mpf(20) / 11) / 2
+    assert event["time"]["upper"].mpmath() >= mpmath.log(mpmath.mpf(20) / 9)
+    assert event["x"]["lower"].fraction() == 2
+    with pytest.raises(lb.UndecidedError, match="is not") as caught:
+        growth.enclosed_events("x = -2", parts=1)
+    assert len(caught.value.partial.cells) == 0
 
 
 def test_a_delay():

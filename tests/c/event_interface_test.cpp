@@ -84,4 +84,30 @@ TEST_CASE("bounds of all solutions from C", "[c][sets]") {
     CHECK(none == nullptr);
 }
 
+// x0 e^t = a at ln(a/x0).
+TEST_CASE("bounds of the events of all solutions from C", "[c][sets]") {
+    const auto growth = problem_of("x' = x; x(0) = 1; a = 3", "x(0) = [1, 2]; a = [3, 4]");
+    const auto bounds = made<table>([&](auto** to) {
+        return libration_problem_enclosed_events(growth.get(), "x = a", 1, 64, 30, nullptr, nullptr, to);
+    });
+    REQUIRE(libration_table_rows(bounds.get()) == 2);
+    CHECK(cell(bounds, 0, 1) == "time");
+    CHECK(cell(bounds, 1, 1) == "x");
+    const auto number = [&](std::size_t row, std::size_t column) { return std::stod(cell(bounds, row, column)); };
+    CHECK(number(0, 2) <= std::log(1.5));
+    CHECK(number(0, 3) >= std::log(4.0));
+    CHECK(number(1, 2) <= 3);
+    CHECK(number(1, 3) >= 4);
+    libration_table* some = nullptr;
+    CHECK(libration_problem_enclosed_events(growth.get(), "x = -1", 1, 1, 30, nullptr, nullptr, &some) ==
+          LIBRATION_UNDECIDED);
+    libration_table_free(some);
+    libration_table* none = nullptr;
+    for (const auto& [count, parts] : {std::pair(0L, 64L), std::pair(1L, 0L)}) {
+        CHECK(libration_problem_enclosed_events(growth.get(), "x = a", count, parts, 30, nullptr, nullptr, &none) ==
+              LIBRATION_ARGUMENT);
+    }
+    CHECK(none == nullptr);
+}
+
 }  // namespace c_test

@@ -54,6 +54,35 @@ TEST_CASE("reference prints bounds of all solutions of a set, rounded outwards",
     CHECK(number_of(one[0].at("upper")) - number_of(one[0].at("lower")) <= 2 * last_place(one[0].at("lower")));
 }
 
+// e^(-bt) is 1/a at ln(a)/b.
+TEST_CASE("reference --until prints bounds of the events of all solutions", "[command][sets]") {
+    const std::string set = "x' = -b*x; x(0) = 1; b = [1, 3]; a = [2, 4]";
+    const words line{"reference", "--problem", set, "--until", "x = 1/a"};
+    const auto rows = rows_by(line);
+    REQUIRE(rows.size() == 2);
+    CHECK(rows[0].at("event") == "1");
+    CHECK(rows[0].at("quantity") == "time");
+    CHECK(rows[0].at("rigour") == "proved");
+    const precision_scope scope(100);
+    const mpfr lower = log(mpfr(2)) / 3;
+    const mpfr upper = log(mpfr(4));
+    CHECK(number_of(rows[0].at("lower")) <= lower);
+    CHECK(number_of(rows[0].at("upper")) >= upper);
+    // Within a sixteenth of the range, as the parts of the set are.
+    CHECK(number_of(rows[0].at("lower")) > lower - (upper - lower) / 16);
+    CHECK(number_of(rows[0].at("upper")) < upper + (upper - lower) / 16);
+    CHECK(rows[1].at("quantity") == "x");
+    CHECK_THAT(bounds_by(line), Catch::StartsWith("event  1\ntime   in [0.23"));
+    // What the condition determines is a number.
+    CHECK_THAT(bounds_by({"reference", "--problem", set, "--until", "x = 1/2"}),
+               Catch::EndsWith("x      in [0.5, 0.5]\n"));
+    // Some solutions reach 1/3 after that time.
+    const auto done = run_libration({"reference", "--problem", set, "--until", "x = 1/3", "--before", "1"});
+    CHECK(done.exit_code == 1);
+    CHECK(done.out.empty());
+    CHECK_THAT(done.err, Catch::Contains("event '1' is not found before that time: 0 were found for b in [1.0000"));
+}
+
 TEST_CASE("reference --over prints bounds over spans of time", "[command][sets]") {
     const auto rows = rows_by({"reference", "--problem", "x' = x; x(0) = 1", "--over", "0:1:4"});
     REQUIRE(rows.size() == 4);
@@ -85,8 +114,7 @@ TEST_CASE("what does not support sets says so in one line", "[command][sets]") {
           words{"coefficients", "--problem", set, "--order", "3"}, words{"radius", "--problem", set, "--order", "9"},
           words{"radius", "--problem", set, "--prove"}, words{"singularities", "--problem", set},
           words{"find", "--problem", set, "--unknown", "x(0)", "--such-that", "x(1) = 1"},
-          words{"table", "--problem", set, "--times", "1"},
-          words{"reference", "--problem", set, "--until", "x = 1/2"}}) {
+          words{"table", "--problem", set, "--times", "1"}}) {
         check_refused(line, {"'b' at line 1, column 22 is a set of values"});
     }
     for (const words& more : {words{"--check"}, words{"--plot", "t,x"}, words{"--certificate", "c.json"},
@@ -95,6 +123,12 @@ TEST_CASE("what does not support sets says so in one line", "[command][sets]") {
         line.insert(line.end(), more.begin(), more.end());
         check_refused(line, {more.front(), "is not supported with sets"});
     }
+    for (const words& more : {words{"--check"}, words{"--from-start"}, words{"--certificate", "c.json"}}) {
+        words line{"reference", "--problem", set, "--until", "x = 1/2"};
+        line.insert(line.end(), more.begin(), more.end());
+        check_refused(line, {more.front(), "is not supported with sets"});
+    }
+    check_refused({"reference", "--problem", set, "--until", "x = c"}, {"--problem", "'c'"});
     check_refused({"reference", "--problem", set, "--times", "inf"}, {"--times", "inf"});
     check_refused({"reference", "--problem", set}, {"--times", "--over"});
     check_refused({"reference", "--problem", set, "--set", "x(0)=1,2", "--times", "1"}, {"--set", "list"});

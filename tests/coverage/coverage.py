@@ -46,7 +46,8 @@ TESTS = """
     ode/proved/proof_route_test.cpp ode/proved/proved_march_test.cpp ode/proved/proved_root_test.cpp
     ode/proved/proved_singularity_test.cpp ode/proved/flow_derivatives_test.cpp
     ode/proved/radius_bounds_test.cpp ode/proved/scale_test.cpp ode/proved/singular_step_test.cpp
-    ode/proved/stiff_test.cpp ode/proved/tail_bound_test.cpp ode/proved/solution_sets_test.cpp
+    ode/proved/stiff_test.cpp ode/proved/tail_bound_test.cpp ode/proved/sets/solution_sets_test.cpp
+    ode/proved/sets/set_events_test.cpp
     ode/delay/delay_trajectory_test.cpp
     problem/far_behaviour_test.cpp problem/known/conditions_at_infinity_test.cpp problem/known/painleve_1_test.cpp
     ode/proved/ways_out_test.cpp ode/singularity/regular_coordinates_test.cpp

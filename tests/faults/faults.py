@@ -33,7 +33,8 @@ BOUNDS = "ode/proved/radius_bounds_test.cpp"
 SINGULAR = "ode/proved/singular_step_test.cpp"
 ROUTES = "ode/proved/proof_route_test.cpp"
 ROOTS = "ode/proved/root_time_test.cpp"
-SETS = "ode/proved/solution_sets_test.cpp"
+SETS = "ode/proved/sets/solution_sets_test.cpp"
+SET_EVENTS = "ode/proved/sets/set_events_test.cpp"
 SYSTEMS = "ode/singularity/systems_test.cpp"
 EVENTS = "ode/proved/proved_events_test.cpp"
 DELAYS = "ode/delay/delay_trajectory_test.cpp"
@@ -473,13 +474,32 @@ FAULTS = [
         ("a turning point between the ends of a piece", "known_sign(slopes[place]) != 0", "place < slopes.size()"),
     ),
     *in_file(
+        "src/libration/ode/proved/sets/event_question.cpp", [SET_EVENTS],
+        ("the motion of the time forgotten", ": ball(of_state[place][j] + slopes[place] * of_time);",
+         ": of_state[place][j];"),
+        ("the time of an event moves the wrong way", "ball(-change / slope)", "ball(change / slope)"),
+        ("a value by the condition moves the wrong way", "ball(-sum / constant_value", "ball(sum / constant_value"),
+        ("a value by the condition with the wrong sign", "return -values.of(g_) / constant_value",
+         "return values.of(g_) / constant_value"),
+        ("a start next to the surface taken to be on it", "arb_is_zero(value.handle()) != 0",
+         "arb_contains_zero(value.handle()) != 0"),
+        ("the slope at the start forgotten", "start.at_zero ? values.of(slope_) : value", "ball(1)"),
+        ("an event across the end of the search", "known_sign(lower_bound(left)) < 0",
+         "known_sign(upper_bound(left)) < 0"),
+    ),
+    *in_file(
+        "src/libration/ode/proved/events/event_search.cpp", [SET_EVENTS],
+        ("derivatives at the first piece of an event alone",
+         "event.flow[i][j] = hull(event.flow[i][j], parts_[k].flow[i][j]);", ""),
+    ),
+    *in_file(
         "src/libration/ode/proved/sets/divided_box.cpp", [SETS],
         ("derivatives of one part for all", "derivative = hull(derivative, more->derivatives[k][j]);",
          "derivative = more->derivatives[k][j];"),
         ("half of a divided part lost", "parts_.push_back(enclosed(upper));", "parts_.push_back(enclosed(lower));"),
     ),
     *in_file(
-        "src/libration/ode/proved/sets/solution_sets.cpp", [SETS],
+        "src/libration/ode/proved/sets/box_faces.cpp", [SETS],
         ("the wrong face", "ends[j] < 0 ? face[j].lower", "ends[j] > 0 ? face[j].lower"),
     ),
     *in_file(

@@ -71,12 +71,8 @@ bool event_options::given(const problem_options& problem) const {
     return until_.has_value();
 }
 
-ode::event_request event_options::request(const problem_options& problem, const ode::explicit_system& system) const {
-    ode::event_request request;
-    request.g = naming_option("--until", [&] { return ode::parse_condition(problem.equations(), *until_); });
-    if (request.g.is_constant()) {
-        throw input_error("--until", *until_, "is not a condition on the solution", "write one, such as \"x' = 0\"");
-    }
+template <class Request>
+void event_options::read_into(Request& request) const {
     if (way_) {
         request.way = way_of(*way_);
     }
@@ -86,13 +82,33 @@ ode::event_request event_options::request(const problem_options& problem, const 
     if (horizon_) {
         request.horizon = positive_count("--horizon", *horizon_, most_steps, "steps");
     }
-    request.from_start = from_start_;
     if (before_) {
         const auto end = times_of_problem(*before_);
         if (end.size() != 1) {
             throw input_error("--before", *before_, "is a list", "write one time");
         }
         request.before = as_expression(end.front());
+    }
+}
+
+ode::set_event_request event_options::request_for_sets() const {
+    if (from_start_) {
+        throw input_error("--from-start is not supported with sets of initial values and parameters: leave it out");
+    }
+    ode::set_event_request request{.condition = *until_};
+    read_into(request);
+    return request;
+}
+
+ode::event_request event_options::request(const problem_options& problem, const ode::explicit_system& system) const {
+    ode::event_request request;
+    request.g = naming_option("--until", [&] { return ode::parse_condition(problem.equations(), *until_); });
+    if (request.g.is_constant()) {
+        throw input_error("--until", *until_, "is not a condition on the solution", "write one, such as \"x' = 0\"");
+    }
+    read_into(request);
+    request.from_start = from_start_;
+    if (request.before) {
         request.direction = (*request.before - system.point()).sign() < 0 ? -1 : 1;
     }
     return request;

@@ -8,6 +8,7 @@
 
 #include "equation/problem_options.hpp"
 #include "libration/ode/proved/proved_events.hpp"
+#include "libration/ode/proved/sets/set_events.hpp"
 
 namespace libration {
 
@@ -21,9 +22,14 @@ public:
     const std::string& condition() const { return *until_; }
     /// Throws input_error.
     ode::event_request request(const problem_options& problem, const ode::explicit_system& system) const;
+    /// The same for all solutions of a set. Throws input_error also for --from-start.
+    ode::set_event_request request_for_sets() const;
 
 private:
     void require_none() const;
+    /// What all requests have.
+    template <class Request>
+    void read_into(Request& request) const;
 
     std::optional<std::string> until_, count_, way_, before_, horizon_;
     bool from_start_ = false;

@@ -60,7 +60,8 @@ std::string counted(std::size_t count, const std::string& one) {
     return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
 
-void state_parts(const ode::set_enclosures& found, const ode::equation_system& equations) {
+template <class Found>
+void state_parts(const Found& found, const ode::equation_system& equations) {
     const auto steps = counted(static_cast<std::size_t>(found.steps), "step");
     if (equations.sets.empty()) {
         say_line("the solution was enclosed in " + steps);
@@ -72,18 +73,46 @@ void state_parts(const ode::set_enclosures& found, const ode::equation_system& e
                          found.faces == 0 ? "" : ", and bounds of monotone values are those on " + faces));
 }
 
-ode::set_enclosures enclosures_of(const ode::equation_system& equations, const ode::set_request& request,
-                                  const ode::proof_route& route) {
+// The result of a function of a callback that shows the time reached.
+template <class Enclose>
+auto with_progress(const Enclose& enclose) {
     progress shown("reference", progress_of_part::steps);
     progress_of_part to(shown);
-    return ode::enclosed_solutions(
-        equations, request,
-        [&](const ball& reached, long bits) {
-            const precision_scope scope(20);
-            to.reached(midpoint_of(reached).convert_to<double>(), bits);
-            to(0);
-        },
-        route);
+    return enclose([&](const ball& reached, long bits) {
+        const precision_scope scope(20);
+        to.reached(midpoint_of(reached).convert_to<double>(), bits);
+        to(0);
+    });
+}
+
+const char* option_of(const problem_options& problem) {
+    return problem.changes().empty() ? "--problem" : "--problem with --set";
+}
+
+// A paragraph for each event, and a line of it for its time and for each unknown.
+partial_table table_of_events(const ode::set_events& found, long digits) {
+    partial_table result{table({{"event", ""}, {"quantity", ""}, {"lower", ""}, {"upper", ""}, {"rigour", ""}}),
+                         "",
+                         "",
+                         found.missing,
+                         {}};
+    std::size_t width = std::string("event").size();
+    for (const std::string& name : found.names) {
+        width = std::max(width, name.size());
+    }
+    for (std::size_t k = 0; k < found.events.size(); ++k) {
+        const ode::enclosed_event& event = found.events[k];
+        const std::string number = std::to_string(k + 1);
+        result.text += fmt::format("{}{:<{}}  {}\n", result.text.empty() ? "" : "\n", "event", width, number);
+        for (std::size_t i = 0; i <= found.names.size(); ++i) {
+            const std::string& name = i == 0 ? "time" : found.names[i - 1];
+            const ode::closed_interval& of = i == 0 ? event.time : event.values[i - 1];
+            const auto [lower, upper] = outward_decimals(of.lower, of.upper, digits);
+            result.text += fmt::format("{:<{}}  in [{}, {}]\n", name, width, lower, upper);
+            result.rows.add_row({number_cell(number), name, number_cell(lower), number_cell(upper), "proved"});
+        }
+    }
+    return result;
 }
 
 }  // namespace
@@ -175,12 +204,26 @@ partial_table set_options::enclosures(const problem_options& problem, const std:
             typed.push_back(given[i].text);
         }
     }
-    const auto found = naming_option(problem.changes().empty() ? "--problem" : "--problem with --set",
-                                     [&] { return enclosures_of(equations, request, route); });
+    const auto found = naming_option(option_of(problem), [&] {
+        return with_progress(
+            [&](const auto& watch) { return ode::enclosed_solutions(equations, request, watch, route); });
+    });
     state_parts(found, equations);
     return table_of_enclosures(
         found, decimals, over_ ? std::vector<column>{{"from", ""}, {"to", ""}} : std::vector<column>{{"time", ""}},
         typed, digits);
+}
+
+partial_table set_options::events(const problem_options& problem, ode::set_event_request request, long digits,
+                                  const ode::proof_route& route) const {
+    const auto equations = problem.equations();
+    request.most_parts = most_parts();
+    request.digits = digits;
+    const auto found = naming_option(option_of(problem), [&] {
+        return with_progress([&](const auto& watch) { return ode::enclosed_events(equations, request, watch, route); });
+    });
+    state_parts(found, equations);
+    return table_of_events(found, digits);
 }
 
 }  // namespace libration

@@ -1,5 +1,5 @@
-// The options of a command for enclosures of all solutions of a problem: of sets of initial values and parameters, and
-// over spans of time.
+// The options of a command for enclosures of all solutions of a problem: of sets of initial values and parameters, over
+// spans of time, and at events.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,7 +10,8 @@
 
 #include "equation/problem_options.hpp"
 #include "equation/solution_table.hpp"
-#include "libration/ode/proved/solution_sets.hpp"
+#include "libration/ode/proved/sets/set_events.hpp"
+#include "libration/ode/proved/sets/solution_sets.hpp"
 
 namespace libration {
 
@@ -27,6 +28,14 @@ public:
     /// parts. Throws input_error.
     partial_table enclosures(const problem_options& problem, const std::optional<std::string>& times, long digits,
                              const ode::proof_route& route) const;
+    /// Whether the problem has sets.
+    static bool has_sets(const problem_options& problem) {
+        return problem.is_chosen() && !problem.equations().sets.empty();
+    }
+    /// The events of all solutions: rows event,quantity,lower,upper,rigour for the time and each unknown. Throws
+    /// input_error.
+    partial_table events(const problem_options& problem, ode::set_event_request request, long digits,
+                         const ode::proof_route& route) const;
 
 private:
     std::vector<exact> ends_of_spans() const;

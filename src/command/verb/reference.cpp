@@ -256,6 +256,30 @@ void require_certifiable(const reference_options& options, const problem_options
     }
 }
 
+// What enclosures of all solutions do not support.
+void require_no_extras_of_sets(const reference_options& options, const char* reason) {
+    refuse_motions(options);
+    require_no_times(options, reason);
+    require_no_certificate(options, reason);
+    if (options.check || options.plot.given()) {
+        throw input_error(fmt::format("{} {}: leave it out", options.check ? "--check" : "--plot", reason));
+    }
+}
+
+// The events of all solutions of a set.
+int write_events_of_sets(const reference_options& options, long digits) {
+    require_no_extras_of_sets(options, "is not supported with sets of initial values and parameters");
+    ode::proof_route route;
+    route.integrator = options.integrator.choice();
+    const auto found = integrator_options::naming(
+        [&] { return options.sets.events(options.problem, options.events.request_for_sets(), digits, route); });
+    if (found.has_output()) {
+        options.output.write(found.rows, found.text);
+    }
+    require_complete(found);
+    return 0;
+}
+
 // The times at which a condition holds.
 int write_events(const reference_options& options, long digits) {
     refuse_motions(options);
@@ -267,6 +291,9 @@ int write_events(const reference_options& options, long digits) {
     if (options.problem.equations().has_delays()) {
         throw input_error("--until", options.events.condition(), "is not supported for a problem with delays",
                           "give --times instead");
+    }
+    if (set_options::has_sets(options.problem)) {
+        return write_events_of_sets(options, digits);
     }
     const auto system = options.problem.choose_first_branch();
     const auto search = searcher_of(options.problem.equations(), system);
@@ -306,12 +333,7 @@ int write_events(const reference_options& options, long digits) {
 // Enclosures of all solutions: of sets of initial values and parameters, and over spans of time.
 int write_enclosures(const reference_options& options, const std::vector<family_member>& family, long digits) {
     const char* const reason = "is not supported with sets of initial values and parameters, or --over";
-    refuse_motions(options);
-    require_no_times(options, reason);
-    require_no_certificate(options, reason);
-    if (options.check || options.plot.given()) {
-        throw input_error(fmt::format("{} {}: leave it out", options.check ? "--check" : "--plot", reason));
-    }
+    require_no_extras_of_sets(options, reason);
     if (family.size() > 1) {
         throw input_error("--set with a list of values " + std::string(reason) + ": give one value or one interval");
     }

@@ -5,7 +5,7 @@
 #include "answers.hpp"
 #include "find_arguments.hpp"
 #include "guarded.hpp"
-#include "libration/ode/proved/solution_sets.hpp"
+#include "libration/ode/proved/sets/solution_sets.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "libration/problem/find.hpp"
 #include "libration/problem/solution.hpp"

@@ -221,6 +221,13 @@ void define_problems(py::module_& m) {
                                                 to);
         });
     });
+    problem.def("enclosed_events",
+                [](const problem_object& of, const std::string& condition, long count, long parts, long digits) {
+                    return known_table([&](auto** to) {
+                        return libration_problem_enclosed_events(of.handle.get(), condition.c_str(), count, parts,
+                                                                 digits, watch_signals, nullptr, to);
+                    });
+                });
     problem.def("events", [](const problem_object& of, const std::string& condition, long count, long digits) {
         return known_table(
             [&](auto** to) { return libration_problem_events(of.handle.get(), condition.c_str(), count, digits, to); });

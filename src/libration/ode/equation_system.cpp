@@ -27,9 +27,10 @@ std::vector<std::string> parameters_in(const expression& e) {
 }
 
 [[noreturn]] void refuse_set(const number_set& set) {
-    refuse(set.name, set.at,
-           "is a set of values, which is supported for enclosures at times and over spans of time (reference --time, "
-           "--over) alone: give it one number");
+    refuse(
+        set.name, set.at,
+        "is a set of values, which is supported for enclosures at times, over spans of time and at events (reference "
+        "--time, --over, --until) alone: give it one number");
 }
 
 }  // namespace

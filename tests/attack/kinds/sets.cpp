@@ -4,7 +4,8 @@
 #include <algorithm>
 
 #include "attack/question.hpp"
-#include "libration/ode/proved/solution_sets.hpp"
+#include "libration/ode/proved/sets/set_events.hpp"
+#include "libration/ode/proved/sets/solution_sets.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"
 
@@ -27,9 +28,44 @@ verdict judged_end(const ball& end, const truth& exact, int side) {
     return sign * side <= 0 ? verdict::right : verdict::wrong;
 }
 
-}  // namespace
+// When x reaches a part of its start: later from larger ones, and at smaller rates.
+mpfr time_of_decay(bool cubic, const mpfr& start, const mpfr& rate, const mpfr& end) {
+    return cubic ? mpfr((1 / (end * end) - 1 / (start * start)) / (2 * rate)) : mpfr(log(mpfr(start / end)) / rate);
+}
 
-outcome ask_set(choices& next) {
+outcome ask_event_of_set(choices& next) {
+    const bool cubic = next.one_in(2);
+    const constant least = any_constant(next);
+    const constant rate = any_constant(next);
+    const rational width(next.one_in(2) ? 0 : next.between(1, 20), 100);
+    const rational growth(next.between(0, 20), 100);
+    const rational share(next.between(2, 9), 10);
+    const std::string text = fmt::format("x' = -a*x{0}; x(0) = [{1}, {1} + {2}]; a = [{3}, {3} + {4}]",
+                                         cubic ? "^3" : "", least.text, width.str(), rate.text, growth.str());
+    const std::string condition = fmt::format("x = {}*{}", share.str(), least.text);
+    return answered(
+        fmt::format("libration reference --problem \"{}\" --until \"{}\"", text, condition), [&](outcome& result) {
+            const auto found = ode::enclosed_events(ode::parse(text), {.condition = condition, .most_parts = 8},
+                                                    [](const ball&, long) { require_time_left(); });
+            const auto time = [&](const rational& wider, const rational& faster) {
+                return time_of_decay(cubic, least.value() + real(wider), rate.value() + real(faster),
+                                     real(share) * least.value());
+            };
+            for (const auto& event : found.events) {
+                result.add(judged_end(
+                               event.time.lower, [&] { return time(0, growth); }, -1),
+                           "the lower bound of the time");
+                result.add(judged_end(
+                               event.time.upper, [&] { return time(width, 0); }, 1),
+                           "the upper bound of the time");
+            }
+            if (found.missing) {
+                result.add(verdict::refused, found.missing->what());
+            }
+        });
+}
+
+outcome ask_values_of_set(choices& next) {
     const bool cubic = next.one_in(2);
     const constant least = any_constant(next);
     const constant rate = any_constant(next);
@@ -59,5 +95,9 @@ outcome ask_set(choices& next) {
                         }
                     });
 }
+
+}  // namespace
+
+outcome ask_set(choices& next) { return next.one_in(2) ? ask_event_of_set(next) : ask_values_of_set(next); }
 
 }  // namespace libration::attack

@@ -11,7 +11,7 @@
 #include "libration/ode/parse.hpp"
 #include "libration/ode/proved/proved_events.hpp"
 #include "libration/ode/proved/proved_trajectory.hpp"
-#include "libration/ode/proved/solution_sets.hpp"
+#include "libration/ode/proved/sets/solution_sets.hpp"
 #include "libration/ode/trajectory.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "libration/scalar/ball/predicates.hpp"

@@ -17,6 +17,7 @@ struct proved_event {
     ball time;
     std::vector<ball> state;
     crossing way = crossing::any;
+    ball_matrix flow = {};  ///< the derivative of the flow up to that time, if it is kept
 };
 
 /// The reason why a search returns no event.
@@ -48,6 +49,14 @@ struct search_start {
     bool at_zero = false;  ///< whether g is 0 at that time, and its derivative has this sign
 };
 
+/// The same from all states of a set, directly after the point of the system.
+struct set_start {
+    state_set states;
+    int sign = 1;                  ///< of g at the point, or of its derivative if g is 0 for all of them
+    bool at_zero = false;          ///< whether it is
+    bool keeps_derivative = true;  ///< proved_march::keep_derivative
+};
+
 /// All zeros of gamma(t) = g(t, y(t)) in the open interval after the initial point, in order: theorem E.
 ///
 /// Pieces S of a step are processed in order. Let m be in S, gamma(S) and gamma'(S) = Dg(y) f(y) enclosed on the
@@ -77,6 +86,11 @@ public:
     /// The same forwards from a set of states. A zero whose time is not certainly after start.begins need not be one of
     /// the solution.
     event_search(const explicit_system& system, const expression& g, const search_start& start, long bits,
+                 const proof_route& route = {}, march_watch watch = {});
+
+    /// The same in the direction of time (< 0: backwards) from a set of any width: an event is one of every solution, in
+    /// the enclosures of its time and state.
+    event_search(const explicit_system& system, const expression& g, const set_start& start, long bits, int direction,
                  const proof_route& route = {}, march_watch watch = {});
 
     /// Maximum number of pieces of one step of a search.
@@ -122,7 +136,7 @@ private:
     bool begin_step(const std::optional<ball>& end, long last_step);
     verdict judged(step_piece& p);
     verdict judged_at_start(const step_piece& p);
-    verdict undecided_on(const ball& span, const sample& all);
+    verdict undecided_on(const step_piece& p, const sample& all);
     std::optional<proved_event> examined(step_piece p);
     std::optional<proved_event> with_sign(int sign);
     std::optional<proved_event> passed(const step_piece& p, int slope);

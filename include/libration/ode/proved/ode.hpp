@@ -10,4 +10,4 @@
 #include "libration/ode/proved/proved_singularity.hpp"
 #include "libration/ode/proved/proved_trajectory.hpp"
 #include "libration/ode/proved/solution_branch.hpp"
-#include "libration/ode/proved/solution_sets.hpp"
+#include "libration/ode/proved/sets/solution_sets.hpp"

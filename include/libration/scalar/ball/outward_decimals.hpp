@@ -13,7 +13,8 @@
 namespace libration {
 
 /// Decimals between which all numbers from `lower` to `upper` lie, both exact: with the digits that resolve a thousandth
-/// of the difference, at most so many, rounded down and up.
+/// of the difference, at most so many, rounded down and up. Of a single number that is such a decimal without the zeros
+/// at its end.
 inline std::pair<std::string, std::string> outward_decimals(const ball& lower, const ball& upper, long most) {
     constexpr long least = 6;
     constexpr double digits_of_width = 4;
@@ -30,7 +31,14 @@ inline std::pair<std::string, std::string> outward_decimals(const ball& lower, c
         }
         return parts_of(exactly, std::min(most, digits), rounding).text();
     };
-    return {rounded(lower, MPFR_RNDD), rounded(upper, MPFR_RNDU)};
+    std::pair ends{rounded(lower, MPFR_RNDD), rounded(upper, MPFR_RNDU)};
+    if (ends.first == ends.second && ends.first.find('.') != std::string::npos &&
+        ends.first.find('e') == std::string::npos) {
+        const auto last = ends.first.find_last_not_of('0');
+        ends.first.resize(ends.first[last] == '.' ? last : last + 1);
+        ends.second = ends.first;
+    }
+    return ends;
 }
 
 }  // namespace libration

@@ -61,6 +61,23 @@ event_search::event_search(const explicit_system& system, const expression& g, c
       after_(start.begins ? std::optional(upper_bound(*start.begins)) : std::nullopt),
       sign_(start.sign) {}
 
+event_search::event_search(const explicit_system& system, const expression& g, const set_start& start, long bits,
+                           int direction, const proof_route& route, march_watch watch)
+    : form_(system),
+      g_(form_.in_leaves(g)),
+      slope_(form_.slope_of(g_)),
+      gradient_(gradient_of(form_, g_)),
+      march_(system, start.states, bits, {}, route),
+      digits_(decimal_digits(bits) + 10),
+      direction_(direction < 0 ? -1 : 1),
+      watch_(std::move(watch)),
+      start_{start.at_zero ? 1 : 0, start.sign, start.at_zero ? slope_ : g_},
+      sign_(start_.beside(direction_)) {
+    if (start.keeps_derivative) {
+        march_.keep_derivative();
+    }
+}
+
 void event_search::require_no_event_before_first_step(const ball& start) {
     if (direction_ < 0) {
         throw error(error_kind::argument, "problem", "",
@@ -150,12 +167,14 @@ event_search::verdict event_search::judged_at_start(const step_piece& p) {
     if (covered && known_sign(of_state(start_.leading, span)) != 0) {
         return {finding::no_zero, sign_};
     }
-    return !covered || p.is_narrow(march_.bits()) ? undecided_on(span, sampled(span)) : verdict{finding::open, 0};
+    return !covered || p.is_narrow(march_.bits()) ? undecided_on(p, sampled(span)) : verdict{finding::open, 0};
 }
 
-event_search::verdict event_search::undecided_on(const ball& span, const sample& all) {
-    const ball times = march_.reached() + span;
-    undecided_ = {lower_bound(times), upper_bound(times), magnitude(all.value), magnitude(all.slope)};
+event_search::verdict event_search::undecided_on(const step_piece& p, const sample& all) {
+    const ball& first = direction_ > 0 ? p.from : p.to;
+    const ball& last = direction_ > 0 ? p.to : p.from;
+    undecided_ = {lower_bound(march_.reached() + first * direction_), upper_bound(march_.reached() + last * direction_),
+                  magnitude(all.value), magnitude(all.slope)};
     return {finding::undecided, 0};
 }
 
@@ -196,7 +215,7 @@ event_search::verdict event_search::judged(step_piece& p) {
     if (!narrow && ++examined_ <= most_pieces_of_a_step) {
         return {finding::open, 0};
     }
-    const verdict undecided = undecided_on(span, all);
+    const verdict undecided = undecided_on(p, all);
     undecided_->too_many_pieces = !narrow;
     return undecided;
 }
@@ -306,7 +325,9 @@ void event_search::add_part(step_piece p) {
         p = p.within(*place * direction_);
         const bool converged = known_sign(here.slope) != 0 && known_sign(of_state(g_, exact_midpoint(*place))) == 0;
         if (converged || p.is_narrow(march_.bits()) || !narrowed_by_signs(p)) {
-            parts_.push_back({march_.reached() + *place, std::move(here.state), crossing::any});
+            const ball time = march_.reached() + *place;
+            parts_.push_back({time, std::move(here.state), crossing::any,
+                              march_.derivative() ? march_.derivative_at(time) : ball_matrix()});
             return;
         }
     }
@@ -341,6 +362,11 @@ std::optional<proved_event> event_search::joined() {
         event.time = hull(event.time, parts_[k].time);
         for (std::size_t i = 0; i < event.state.size(); ++i) {
             event.state[i] = hull(event.state[i], parts_[k].state[i]);
+        }
+        for (std::size_t i = 0; i < event.flow.size(); ++i) {
+            for (std::size_t j = 0; j < event.flow[i].size(); ++j) {
+                event.flow[i][j] = hull(event.flow[i][j], parts_[k].flow[i][j]);
+            }
         }
     }
     sign_ = -sign_;

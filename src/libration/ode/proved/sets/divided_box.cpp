@@ -13,8 +13,6 @@ namespace {
 
 constexpr double negligible_excess = 1.0 / 16;
 
-bool is_time(const time_span& span) { return (span.to - span.from).sign() == 0; }
-
 // a/b of two widths, for choices.
 double ratio_of_widths(const magnitude& a, const magnitude& b) { return std::exp2(log_of(a) - log_of(b)); }
 
@@ -33,8 +31,8 @@ int direction_of(const ball& derivative) {
     return arb_is_nonnegative(derivative.handle()) != 0 ? 1 : arb_is_nonpositive(derivative.handle()) != 0 ? -1 : 0;
 }
 
-divided_box::divided_box(number_box whole, const set_run_request& how, std::size_t most_parts)
-    : whole_(std::move(whole)), how_(how) {
+divided_box::divided_box(number_box whole, const set_question& question, bool with_derivatives, std::size_t most_parts)
+    : whole_(std::move(whole)), question_(question), with_derivatives_(with_derivatives) {
     parts_.push_back(enclosed(whole_));
     unite();
     while (parts_.size() < most_parts) {
@@ -52,25 +50,25 @@ divided_box::divided_box(number_box whole, const set_run_request& how, std::size
 }
 
 divided_box::part divided_box::enclosed(const number_box& box) {
-    part made{box, enclosed_from(box, how_)};
+    part made{box, question_.enclosed_from(box, with_derivatives_)};
     steps_ += made.run.steps;
     return made;
 }
 
-// The spans that all parts reach.
+// The images that all parts reach.
 void divided_box::unite() {
-    spans_ = parts_.front().run.spans;
+    images_ = parts_.front().run.images;
     for (std::size_t p = 1; p < parts_.size(); ++p) {
-        for (std::size_t i = 0; i < spans_.size(); ++i) {
-            const auto& more = parts_[p].run.spans[i];
-            if (!spans_[i] || !more) {
-                spans_[i].reset();
+        for (std::size_t i = 0; i < images_.size(); ++i) {
+            const auto& more = parts_[p].run.images[i];
+            if (!images_[i] || !more) {
+                images_[i].reset();
                 continue;
             }
             for (std::size_t k = 0; k < more->values.size(); ++k) {
-                extend(spans_[i]->values[k], more->values[k]);
+                extend(images_[i]->values[k], more->values[k]);
                 for (std::size_t j = 0; j < whole_.size(); ++j) {
-                    ball& derivative = spans_[i]->derivatives[k][j];
+                    ball& derivative = images_[i]->derivatives[k][j];
                     derivative = hull(derivative, more->derivatives[k][j]);
                 }
             }
@@ -81,9 +79,13 @@ void divided_box::unite() {
 std::optional<std::size_t> divided_box::index_of_first_end() const {
     std::optional<std::size_t> first;
     const auto distance = [&](std::size_t p) {
-        return midpoint_alone(abs(parts_[p].run.reached - constant_value<ball>::of(how_.of.system().point())));
+        return midpoint_alone(
+            abs(parts_[p].run.reached - constant_value<ball>::of(question_.problem().system().point())));
     };
     for (std::size_t p = 0; p < parts_.size(); ++p) {
+        if (!parts_[p].run.may_divide) {
+            return p;
+        }
         if (!parts_[p].run.complete && (!first || exactly_less(distance(p), distance(*first)))) {
             first = p;
         }
@@ -104,9 +106,10 @@ const number_box& divided_box::box_of_first_end() const {
 std::optional<divided_box::division> divided_box::next_division() const {
     bool wide = false;
     for (std::size_t j = 0; j < whole_.size(); ++j) {
-        wide = wide || how_.of.is_wide(j);
+        wide = wide || question_.problem().is_wide(j);
     }
-    return !wide ? std::nullopt : index_of_first_end() ? of_ending_part() : of_widest_part();
+    const bool may_divide = std::ranges::all_of(parts_, [](const part& each) { return each.run.may_divide; });
+    return !wide || !may_divide ? std::nullopt : index_of_first_end() ? of_ending_part() : of_widest_part();
 }
 
 // The side of a part that is widest relative to the whole box.
@@ -147,13 +150,13 @@ std::optional<divided_box::division> divided_box::of_ending_part() const {
 }
 
 // How much wider the enclosure of a value is than its linear image, relative to the range of the whole box.
-double divided_box::excess_of(const part& of, std::size_t span, std::size_t value) const {
-    const enclosed_span& here = *of.run.spans[span];
+double divided_box::excess_of(const part& of, std::size_t image, std::size_t value) const {
+    const set_image& here = *of.run.images[image];
     magnitude linear;
     for (std::size_t j = 0; j < of.box.size(); ++j) {
         linear.add_product(magnitude::midpoint_of(here.derivatives[value][j]), radius_of(of.box[j]));
     }
-    const double whole = log_of(width_of(spans_[span]->values[value]));
+    const double whole = log_of(width_of(images_[image]->values[value]));
     return std::exp2(log_of(width_of(here.values[value])) - whole) - std::exp2(log_of(linear) + 1 - whole);
 }
 
@@ -162,14 +165,14 @@ double divided_box::excess_of(const part& of, std::size_t span, std::size_t valu
 std::optional<divided_box::division> divided_box::of_widest_part() const {
     std::optional<division> found;
     double most = negligible_excess;
-    for (std::size_t i = 0; i < spans_.size(); ++i) {
-        for (std::size_t k = 0; is_time(how_.spans[i]) && k < how_.of.names().size(); ++k) {
-            const closed_interval& whole = spans_[i]->values[k];
-            if (!has_width(whole) || is_monotone(spans_[i]->derivatives[k])) {
+    for (std::size_t i = 0; i < images_.size(); ++i) {
+        for (std::size_t k = 0; question_.is_narrowed(i) && k < images_[i]->values.size(); ++k) {
+            const closed_interval& whole = images_[i]->values[k];
+            if (!has_width(whole) || is_monotone(images_[i]->derivatives[k])) {
                 continue;
             }
             for (std::size_t p = 0; p < parts_.size(); ++p) {
-                const closed_interval& here = parts_[p].run.spans[i]->values[k];
+                const closed_interval& here = parts_[p].run.images[i]->values[k];
                 const bool determines =
                     !exactly_less(whole.lower, here.lower) || !exactly_less(here.upper, whole.upper);
                 if (const double excess = determines ? excess_of(parts_[p], i, k) : 0; excess > most) {
@@ -182,11 +185,11 @@ std::optional<divided_box::division> divided_box::of_widest_part() const {
     return found;
 }
 
-std::size_t divided_box::least_certain_side(const part& of, std::size_t span, std::size_t value) const {
+std::size_t divided_box::least_certain_side(const part& of, std::size_t image, std::size_t value) const {
     std::size_t found = widest_side(of);
     magnitude largest;
     for (std::size_t j = 0; j < whole_.size(); ++j) {
-        const auto width = magnitude::radius_of(of.run.spans[span]->derivatives[value][j]) * radius_of(of.box[j]);
+        const auto width = magnitude::radius_of(of.run.images[image]->derivatives[value][j]) * radius_of(of.box[j]);
         if (largest < width) {
             largest = width;
             found = j;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "set_run.hpp"
+#include "set_question.hpp"
 
 namespace libration::ode {
 
@@ -13,15 +13,15 @@ namespace libration::ode {
 class divided_box {
 public:
     /// Divides the whole box into at most so many parts, until all of them are complete and sharp.
-    divided_box(number_box whole, const set_run_request& how, std::size_t most_parts);
+    divided_box(number_box whole, const set_question& question, bool with_derivatives, std::size_t most_parts);
 
     const number_box& whole() const { return whole_; }
     std::size_t parts() const { return parts_.size(); }
     /// Of all runs, also those of parts that were divided afterwards.
     long steps() const { return steps_; }
-    /// Of all solutions of the box; std::nullopt for a span that not all parts reach.
-    const std::vector<std::optional<enclosed_span>>& spans() const { return spans_; }
-    /// The part that ends first, if one does.
+    /// Of all solutions of the box; std::nullopt for one that not all parts reach.
+    const std::vector<std::optional<set_image>>& images() const { return images_; }
+    /// The part that ends first, if one does; one whose parts would not be complete has priority.
     const set_run_result* first_end() const;
     const number_box& box_of_first_end() const;
 
@@ -40,14 +40,15 @@ private:
     std::optional<division> next_division() const;
     std::optional<division> of_ending_part() const;
     std::optional<division> of_widest_part() const;
-    double excess_of(const part& of, std::size_t span, std::size_t value) const;
+    double excess_of(const part& of, std::size_t image, std::size_t value) const;
     std::size_t widest_side(const part& of) const;
-    std::size_t least_certain_side(const part& of, std::size_t span, std::size_t value) const;
+    std::size_t least_certain_side(const part& of, std::size_t image, std::size_t value) const;
 
     number_box whole_;
-    const set_run_request& how_;
+    const set_question& question_;
+    bool with_derivatives_;
     std::vector<part> parts_;
-    std::vector<std::optional<enclosed_span>> spans_;
+    std::vector<std::optional<set_image>> images_;
     long steps_ = 0;
 };
 

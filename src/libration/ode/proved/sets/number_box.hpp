@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "libration/ode/ball/step_pieces.hpp"
-#include "libration/ode/proved/solution_sets.hpp"
+#include "libration/ode/proved/sets/solution_sets.hpp"
 #include "libration/scalar/ball/magnitude.hpp"
 
 namespace libration::ode {

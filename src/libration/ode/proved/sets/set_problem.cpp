@@ -6,6 +6,7 @@
 
 #include "libration/ode/lifted_system.hpp"
 #include "libration/ode/opened_system.hpp"
+#include "libration/ode/parse.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 
 namespace libration::ode {
@@ -46,6 +47,32 @@ std::vector<std::string> sets_in_equations(const equation_system& given) {
         if (std::ranges::any_of(numbers.equations, [&](const equation& of) {
                 return has_leaf(values.in(of.left), leaf) || has_leaf(values.in(of.right), leaf);
             })) {
+            found.push_back(each.name);
+        }
+    }
+    return found;
+}
+
+// Parameters that are sets are unknowns in it.
+expression condition_of(const equation_system& given, const std::optional<std::string>& condition) {
+    if (!condition) {
+        return {};
+    }
+    equation_system names = with_midpoints(given);
+    for (const number_set& each : given.sets) {
+        if (each.name.find('(') == std::string::npos) {
+            std::erase_if(names.parameters, [&](const definition& of) { return of.name == each.name; });
+            names.add(derivative(unknown(each.name)));
+        }
+    }
+    return parse_condition(names, *condition);
+}
+
+// The sets on which the equations or the condition depend.
+std::vector<std::string> sets_in(const equation_system& given, const expression& condition) {
+    std::vector<std::string> found = sets_in_equations(given);
+    for (const number_set& each : given.sets) {
+        if (std::ranges::find(found, each.name) == found.end() && has_leaf(condition, unknown(each.name))) {
             found.push_back(each.name);
         }
     }
@@ -94,8 +121,9 @@ std::pair<number, number> ends_of(const number_set& of, const equation_system& g
 
 }  // namespace
 
-set_problem::set_problem(const equation_system& given)
-    : free_((require_one_branch(given), require_one_point(given), sets_in_equations(given))),
+set_problem::set_problem(const equation_system& given, const std::optional<std::string>& condition)
+    : condition_((require_one_branch(given), require_one_point(given), condition_of(given, condition))),
+      free_(sets_in(given, condition_)),
       system_(opened(with_midpoints(given), free_).system) {
     if (system_.singular()) {
         refuse("", {},

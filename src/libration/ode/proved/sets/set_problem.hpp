@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,9 @@ namespace libration::ode {
 class set_problem {
 public:
     /// Throws error like enclosed_solutions.
-    explicit set_problem(const equation_system& given);
+    explicit set_problem(const equation_system& given) : set_problem(given, std::nullopt) {}
+    /// With a condition on the solutions, such as x = a, which may contain sets. Throws like parse_condition too.
+    set_problem(const equation_system& given, const std::optional<std::string>& condition);
 
     const explicit_system& system() const { return system_; }
     /// The names of the sets: b, x(0).
@@ -24,6 +27,8 @@ public:
     /// The indices in the state of system() of the unknowns of the problem and their lower derivatives, and their names.
     const std::vector<std::size_t>& own() const { return own_; }
     const std::vector<std::string>& names() const { return names_; }
+    /// The difference of the sides of the condition, in the unknowns of system().
+    const expression& condition() const { return condition_; }
 
     /// Whether a set is more than one number.
     bool is_wide(std::size_t set) const { return (upper_[set] - lower_[set]).sign() > 0; }
@@ -41,6 +46,7 @@ private:
 
     std::vector<std::string> sets_;
     std::vector<number> lower_, upper_;
+    expression condition_;
     std::vector<std::string> free_;  ///< the sets that are unknowns
     explicit_system system_;
     std::vector<expression> leaves_;  ///< which represent p

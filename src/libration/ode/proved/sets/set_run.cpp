@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "libration/ode/first_order_form.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 
 namespace libration::ode {
@@ -45,26 +46,18 @@ struct enclosed_piece {
     std::vector<bool> monotone;  ///< in time
 };
 
-// Of wide sets, whose steps are short because of their width, with fewer terms, and not by collocation, which would take
-// them for stiff.
-proof_route route_for(const number_box& box, const proof_route& given) {
-    constexpr int fewer_terms = 12;
-    proof_route route = given;
-    const bool wide = std::ranges::any_of(box, [](const closed_interval& each) {
-        const magnitude size = std::max(magnitude(each.lower), magnitude(each.upper));
-        return !(radius_of(each) <= size * magnitude::of(1, -fewer_terms));
-    });
-    if (wide) {
-        route.more_terms -= fewer_terms;
-        route.integrator =
-            given.integrator == integrator_choice::automatic ? integrator_choice::taylor : given.integrator;
-    }
-    return route;
-}
+// A run in one direction.
+struct span_run_request {
+    const set_problem& of;
+    long bits;
+    bool with_derivatives;
+    const march_watch& watch;
+    const proof_route& route;
+};
 
 class set_run {
 public:
-    set_run(const number_box& box, const set_run_request& how, bool forward, set_run_result& result)
+    set_run(const number_box& box, const span_run_request& how, bool forward, set_run_result& result)
         : how_(how),
           result_(result),
           forward_(forward),
@@ -164,7 +157,7 @@ private:
     }
 
     bool extends(const enclosed_piece& piece, std::size_t index) const {
-        const auto& kept = result_.spans[index];
+        const auto& kept = result_.images[index];
         for (std::size_t k = 0; k < piece.values.size(); ++k) {
             if (!piece.monotone[k] && (!kept || exactly_less(piece.values[k].lower, kept->values[k].lower) ||
                                        exactly_less(kept->values[k].upper, piece.values[k].upper))) {
@@ -175,9 +168,9 @@ private:
     }
 
     void add(const std::vector<closed_interval>& values, const ball_matrix& derivatives, std::size_t index) {
-        auto& kept = result_.spans[index];
+        auto& kept = result_.images[index];
         if (!kept) {
-            kept = enclosed_span{values, derivatives};
+            kept = set_image{values, derivatives};
             return;
         }
         for (std::size_t k = 0; k < values.size(); ++k) {
@@ -237,7 +230,7 @@ private:
         return result;
     }
 
-    const set_run_request& how_;
+    const span_run_request& how_;
     set_run_result& result_;
     bool forward_;
     first_order_form form_;
@@ -249,14 +242,15 @@ private:
 
 }  // namespace
 
-set_run_result enclosed_from(const number_box& box, const set_run_request& how) {
-    const precision_scope scope(decimal_digits(how.bits) + guard_digits_of_run);
+set_run_result span_question::enclosed_from(const number_box& box, bool with_derivatives) const {
+    const precision_scope scope(decimal_digits(bits_) + guard_digits_of_run);
+    const span_run_request how{of_, bits_, with_derivatives, watch_, route_};
     set_run_result result;
-    result.spans.resize(how.spans.size());
+    result.images.resize(spans_.size());
     for (const bool forward : {true, false}) {
         std::vector<distance_span> parts;
-        for (std::size_t i = 0; i < how.spans.size(); ++i) {
-            if (auto part = part_of(how.spans[i], i, how.of.system().point(), forward)) {
+        for (std::size_t i = 0; i < spans_.size(); ++i) {
+            if (auto part = part_of(spans_[i], i, of_.system().point(), forward)) {
                 parts.push_back(std::move(*part));
             }
         }
@@ -274,7 +268,7 @@ set_run_result enclosed_from(const number_box& box, const set_run_request& how) 
         }
         for (const distance_span& each : parts) {
             if (!each.done) {
-                result.spans[each.index].reset();
+                result.images[each.index].reset();
             }
         }
     }

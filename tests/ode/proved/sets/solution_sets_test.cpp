@@ -1,5 +1,5 @@
 // Enclosures of all solutions against closed forms of the range, and against single solutions of a set.
-#include "libration/ode/proved/solution_sets.hpp"
+#include "libration/ode/proved/sets/solution_sets.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>
@@ -12,7 +12,7 @@
 #include "libration/scalar/error.hpp"
 #include "proved.hpp"
 
-namespace ode_proved_solution_sets_test {
+namespace ode_proved_sets_solution_sets_test {
 
 using namespace libration;
 using namespace libration::ode;
@@ -243,4 +243,4 @@ TEST_CASE("sets in C++ are those of the text", "[ode][proved][sets]") {
     CHECK(system.sets.size() == 1);
 }
 
-}  // namespace ode_proved_solution_sets_test
+}  // namespace ode_proved_sets_solution_sets_test

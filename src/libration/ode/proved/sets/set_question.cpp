@@ -1,0 +1,72 @@
+#include "set_question.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "../needed_bits.hpp"
+
+namespace libration::ode {
+
+namespace {
+
+// The bits of the solutions beyond those that distinguish the ends of the narrowest interval.
+constexpr long bits_below_the_box = 64;
+
+// Of the ends of the intervals, to measure their widths; doubled until it suffices.
+constexpr long first_bits_of_box = 256;
+
+// log2 of the ends of the narrowest interval, relative to its width; std::nullopt if no interval has one.
+std::optional<double> narrowness_of(const set_problem& of) {
+    std::optional<double> most;
+    const number_box box = of.box();
+    for (std::size_t j = 0; j < box.size(); ++j) {
+        if (of.is_wide(j)) {
+            const magnitude size = std::max(magnitude(box[j].lower), magnitude(box[j].upper));
+            most = std::max(most.value_or(0), log_of(size) - log_of(radius_of(box[j])));
+        }
+    }
+    return most;
+}
+
+}  // namespace
+
+long bits_of_sets(const set_problem& of, long digits) {
+    for (long bits = first_bits_of_box; bits <= most_bits; bits *= 2) {
+        const precision_scope scope(decimal_digits(bits));
+        const auto narrowness = narrowness_of(of);
+        if (!narrowness) {
+            return bits_of_digits(digits) + first_guard_bits;
+        }
+        if (*narrowness < static_cast<double>(bits) / 2) {
+            return static_cast<long>(std::ceil(*narrowness)) + bits_below_the_box;
+        }
+    }
+    throw error(error_kind::undecided, "problem", "",
+                "has an interval that a million bits do not distinguish from a number");
+}
+
+proof_route route_for(const number_box& box, const proof_route& given) {
+    constexpr int fewer_terms = 12;
+    proof_route route = given;
+    const bool wide = std::ranges::any_of(box, [](const closed_interval& each) {
+        const magnitude size = std::max(magnitude(each.lower), magnitude(each.upper));
+        return !(radius_of(each) <= size * magnitude::of(1, -fewer_terms));
+    });
+    if (wide) {
+        route.more_terms -= fewer_terms;
+        route.integrator =
+            given.integrator == integrator_choice::automatic ? integrator_choice::taylor : given.integrator;
+    }
+    return route;
+}
+
+std::string text_of_part(const number_box& part, const std::vector<std::string>& names, std::size_t parts) {
+    std::string text;
+    for (std::size_t j = 0; j < part.size(); ++j) {
+        text += (j == 0 ? " for " : ", ") + names[j] + " in [" + bound_text(part[j].lower, MPFR_RNDD) + ", " +
+                bound_text(part[j].upper, MPFR_RNDU) + "]";
+    }
+    return text + (parts > 1 ? ", one of " + std::to_string(parts) + " parts" : "");
+}
+
+}  // namespace libration::ode
