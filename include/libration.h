@@ -145,8 +145,8 @@ void libration_motion_free(libration_motion *motion);
 /* The text of a problem, "x'' = -sin(x); x(0) = 2; x'(0) = 0", or without = a name of the catalogue, "lorenz"; and
  * parameters or initial values to be changed, "r = 28; x(0) = 1/2", or NULL. With intervals for
  * some of them, "x(0) = [0.9, 1.1]", it has bounds (libration_problem_enclosures). With events, piecewise right-hand sides or
- * delays it has values at times (libration_problem_states, libration_problem_flow from its initial state) and, without
- * delays, events; the other functions return ARGUMENT. */
+ * delays it has values at times (libration_problem_states, libration_problem_flow from its initial state) and events; the
+ * other functions return ARGUMENT. */
 int libration_problem_new(const char *text, const char *settings, libration_problem **problem);
 /* The unknowns and their lower derivatives, x, x', in the order of the columns of states. */
 size_t libration_problem_size(const libration_problem *problem);

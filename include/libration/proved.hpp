@@ -7,6 +7,8 @@
 #include "libration/function/ball/values.hpp"
 #include "libration/libration.hpp"
 #include "libration/ode/proved/ode.hpp"
+#include "libration/ode/proved/sets/set_events.hpp"
+#include "libration/ode/proved/sets/solution_sets.hpp"
 #include "libration/pendulum/proved/pendulum.hpp"
 #include "libration/problem/known/proved/blasius.hpp"
 #include "libration/problem/known/proved/falkner_skan.hpp"

@@ -48,7 +48,7 @@ TESTS = """
     ode/proved/radius_bounds_test.cpp ode/proved/scale_test.cpp ode/proved/singular_step_test.cpp
     ode/proved/stiff_test.cpp ode/proved/tail_bound_test.cpp ode/proved/sets/solution_sets_test.cpp
     ode/proved/sets/set_events_test.cpp
-    ode/delay/delay_trajectory_test.cpp
+    ode/delay/delay_trajectory_test.cpp ode/delay/delay_events_test.cpp
     problem/far_behaviour_test.cpp problem/known/conditions_at_infinity_test.cpp problem/known/painleve_1_test.cpp
     ode/proved/ways_out_test.cpp ode/singularity/regular_coordinates_test.cpp
     ode/proved/solution_branch_test.cpp problem/known/kepler_test.cpp

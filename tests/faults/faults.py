@@ -38,6 +38,7 @@ SET_EVENTS = "ode/proved/sets/set_events_test.cpp"
 SYSTEMS = "ode/singularity/systems_test.cpp"
 EVENTS = "ode/proved/proved_events_test.cpp"
 DELAYS = "ode/delay/delay_trajectory_test.cpp"
+DELAY_EVENTS = "ode/delay/delay_events_test.cpp"
 INTEGERS = "scalar/ball/integer_product_test.cpp"
 SEQUENCES = "scalar/ball/polynomial_test.cpp"
 BALL_SOURCES = "src/libration/scalar/ball/"
@@ -690,6 +691,14 @@ FAULTS = [
         ("dependence by a step function forgotten", "(switches && has_steps(each.right))", "false"),
         ("initial values that do not move", "with_leaves(partial(of.starts[k], of.leaf), {of.leaf}, {value})",
          "same_form(leaves_[k], of.leaf) ? expression(1) : expression(0)"),
+    ),
+    *in_file(
+        "src/libration/ode/delay/proved/delay_steps.hpp", [DELAY_EVENTS],
+        ("the bounds of a step forgotten in an event", "widened(value_of(series[k], at), error[k])",
+         "value_of(series[k], at)"),
+        ("the sign behind the middle of a step", "return enclosed(slopes_, of_->slope_error, distance);",
+         "return enclosed(slopes_, of_->slope_error, exact_midpoint(distance));"),
+        sources=("src/libration/ode/delay/proved/delay_events.cpp",),
     ),
     *in_file(
         "src/libration/ode/proved/events/event_search.cpp", [EVENTS],

@@ -137,7 +137,8 @@ std::map<std::string, rooms> order_of_rooms() {
         {"ode/proved/events", ode + balls + rooms{"ode/ball", "ode/rigorous", "ode/proved"}},
         {"ode/hybrid", ode},
         {"ode/delay", ode},
-        {"ode/delay/proved", ode + balls + rooms{"ode/ball", "ode/rigorous", "ode/proved", "ode/delay"}},
+        {"ode/delay/proved",
+         ode + balls + rooms{"ode/ball", "ode/rigorous", "ode/proved", "ode/proved/events", "ode/delay"}},
         {"ode/hybrid/proved",
          ode + balls + rooms{"ode/ball", "ode/rigorous", "ode/proved", "ode/proved/events", "ode/hybrid"}},
         {"ode/proved/equilibrium",
@@ -334,8 +335,8 @@ complaints unnamed_kinds(const house& all) {
 bool needs_flint(const std::string& path) {
     const auto folder = fs::path(path).parent_path().filename();
     return path == "include/libration/proved.hpp" ||
-           (path.starts_with("include/") &&
-            (folder == "ball" || folder == "proved" || folder == "rigorous" || folder == "certificate"));
+           (path.starts_with("include/") && (folder == "ball" || folder == "rigorous" || folder == "certificate" ||
+                                             path.find("/proved/") != std::string::npos));
 }
 
 complaints flint_includes(const house& all) {

@@ -95,7 +95,7 @@ TEST_CASE("every problem with delays is proved, and the same in double", "[probl
     CHECK(count == 4);
 }
 
-TEST_CASE("a solution with delays answers nothing but values at times", "[problem][delay]") {
+TEST_CASE("a solution with delays answers nothing but values at times and events", "[problem][delay]") {
     const auto x = solve(problem("x' = -x(t - 1); x(t <= 0) = 1"));
     CHECK(x->quantities() == std::vector<std::string>{"x"});
     CHECK(x->states("2", rounded_digits(20)).at(0, "x") == "-0.50000000000000000000");
@@ -106,10 +106,12 @@ TEST_CASE("a solution with delays answers nothing but values at times", "[proble
         CHECK_THROWS_WITH(ask(), Catch::Contains(reason));
     };
     rejects([&] { x->limits(proved_digits(20)); }, "time 'inf' is not supported for a problem with delays");
-    rejects([&] { x->events("x = 0", 1, proved_digits(20)); }, "is not supported for a problem with delays");
-    rejects([&] { x->series(5, "", proved_digits(20)); }, "for which only values at times are supported");
-    rejects([&] { x->radius("", proved_digits(20)); }, "for which only values at times are supported");
-    rejects([&] { x->singularities(1.0, proved_digits(20)); }, "for which only values at times are supported");
+    CHECK(x->events("x = 1/2", 1, proved_digits(20)).at(0, "time") == "0.50000000000000000000");
+    rejects([&] { x->events("x = c", 1, proved_digits(20)); }, "'c'");
+    rejects([&] { x->series(5, "", proved_digits(20)); }, "for which only values at times and events are supported");
+    rejects([&] { x->radius("", proved_digits(20)); }, "for which only values at times and events are supported");
+    rejects([&] { x->singularities(1.0, proved_digits(20)); },
+            "for which only values at times and events are supported");
     rejects([&] { x->states("1", {.derivatives = {"x(0)"}}); }, "derivatives 'x(0)' is not supported for a problem");
     rejects([&] { x->states("-1", proved_digits(20)); }, "is before the initial point");
     CHECK_THROWS_WITH(solve(problem("x' = -x(t - 1); x(t <= 0) = 1; when x = 0: stop")),

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "equation/change_words.hpp"
+#include "libration/ode/delay/delay_system.hpp"
 #include "libration/ode/hybrid/proved/first_steps.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/ode/unused_parameters.hpp"
@@ -267,10 +268,13 @@ void problem_options::state_first_branch() const {
 
 ode::explicit_system problem_options::choose_first_branch() const {
     const auto system = equations();
-    if (system.is_smooth()) {
+    if (system.is_ordinary()) {
         return choose();
     }
     return naming_option(changes_.empty() ? "--problem" : "--problem with --set", [&] {
+        if (system.has_delays()) {
+            return ode::delay_system(system).first_equations();
+        }
         const ode::hybrid_system hybrid(system);
         return hybrid.first_branch(ode::steps_after_start(hybrid));
     });

@@ -72,7 +72,8 @@ public:
     void state_first_branch() const;
     /// The problem solved for its highest derivatives. Throws input_error, also for --set without --problem.
     ode::explicit_system choose() const;
-    /// The same; of a problem with events or a piecewise right-hand side the branch at its initial point.
+    /// The same; of a problem with events or a piecewise right-hand side the branch at its initial point, of one with
+    /// delays the equations up to the first breaking point.
     ode::explicit_system choose_first_branch() const;
     /// The same as it is written, with the changes; other options, by their names, may give values X = VALUE to what
     /// the text leaves open.

@@ -13,6 +13,7 @@
 #include "equation/problem_options.hpp"
 #include "equation/problem_trajectory.hpp"
 #include "equation/solution_table.hpp"
+#include "libration/ode/delay/proved/delay_events.hpp"
 #include "libration/ode/hybrid/proved/hybrid_trajectory.hpp"
 #include "libration/problem/known/pendulum_solution.hpp"
 #include "libration/scalar/text/grid.hpp"
@@ -230,6 +231,12 @@ void check_if_asked(const reference_options& options) {
 }
 
 event_searcher searcher_of(const ode::equation_system& equations, const ode::explicit_system& system) {
+    if (equations.has_delays()) {
+        return [delayed = ode::delay_system(equations)](const auto& request, long digits, const auto& /*route*/,
+                                                        const auto& watch) {
+            return ode::searched_delay_events(delayed, request, digits, watch);
+        };
+    }
     if (equations.is_smooth()) {
         return [&system](const auto& request, long digits, const auto& route, const auto& watch) {
             return ode::searched_events(system, request, digits, route, watch);
@@ -287,10 +294,6 @@ int write_events(const reference_options& options, long digits) {
     if (options.times) {
         throw input_error("--times", *options.times, "is given together with --until, which finds the times",
                           "leave one out");
-    }
-    if (options.problem.equations().has_delays()) {
-        throw input_error("--until", options.events.condition(), "is not supported for a problem with delays",
-                          "give --times instead");
     }
     if (set_options::has_sets(options.problem)) {
         return write_events_of_sets(options, digits);

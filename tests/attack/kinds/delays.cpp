@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "attack/question.hpp"
+#include "libration/ode/delay/proved/delay_events.hpp"
 #include "libration/ode/delay/proved/delay_trajectory.hpp"
 #include "libration/scalar/error.hpp"
 
@@ -18,11 +19,11 @@ struct delayed_growth {
     std::string text() const {
         return fmt::format("x' = {}*x(t - {}); x(t <= 0) = {}", rate.text, delay.text, history.text);
     }
-    mpfr value(const rational& time) const {
+    mpfr value(const mpfr& time) const {
         mpfr sum = 1;
         mpfr factor = 1;
         for (long k = 1;; ++k) {
-            const mpfr s = real(time) - (k - 1) * delay.value();
+            const mpfr s = time - (k - 1) * delay.value();
             if (s <= 0) {
                 return history.value() * sum;
             }
@@ -32,10 +33,49 @@ struct delayed_growth {
     }
 };
 
+// When the solution, which increases, has a value that it reaches before a time: by halving the interval, to the
+// precision.
+mpfr time_of_value(const delayed_growth& growth, const mpfr& value, const mpfr& before) {
+    mpfr first = 0;
+    mpfr last = before;
+    for (unsigned digit = 0; digit < 4 * mpfr::thread_default_precision(); ++digit) {
+        const mpfr middle = (first + last) / 2;
+        (growth.value(middle) < value ? first : last) = middle;
+    }
+    return first;
+}
+
+outcome ask_event_of_delay(const delayed_growth& growth, choices& next) {
+    constexpr long before = 8;
+    const rational factor(next.between(11, 60), 10);
+    const long digits = next.between(1, 30);
+    const std::string condition = fmt::format("x = {}*{}", factor.str(), growth.history.text);
+    return answered(
+        fmt::format("libration reference --problem \"{}\" --until \"{}\" --before {} --digits {}", growth.text(),
+                    condition, before, digits),
+        [&](outcome& result) {
+            const auto given = ode::parse(growth.text());
+            const auto report = ode::searched_delay_events(
+                ode::delay_system(given), {.g = ode::parse_condition(given, condition), .before = ode::number(before)},
+                digits, [](const auto&, long, const auto&) { require_time_left(); });
+            for (const auto& event : report.events) {
+                add_number(
+                    result, event.time, digits,
+                    [&] { return time_of_value(growth, real(factor) * growth.history.value(), before); }, "time");
+            }
+            if (report.missing) {
+                result.add(verdict::refused, report.missing->what());
+            }
+        });
+}
+
 }  // namespace
 
 outcome ask_delay(choices& next) {
     const delayed_growth growth{any_constant(next), constant_of(rational(next.between(3, 9), 5)), any_constant(next)};
+    if (next.one_in(2)) {
+        return ask_event_of_delay(growth, next);
+    }
     const rational time = decimal_fraction(next.between(1, 6000), 3);
     const long digits = next.between(1, 40);
     const std::string typed = time.str();
@@ -46,7 +86,7 @@ outcome ask_delay(choices& next) {
                 ode::proved_part_of_delay(ode::delay_system(ode::parse(growth.text())), {time_number(typed)}, digits,
                                           [](const ball&, long) { require_time_left(); });
             add_first_value(
-                result, found, digits, [&] { return growth.value(time); }, "x");
+                result, found, digits, [&] { return growth.value(real(time)); }, "x");
         });
 }
 

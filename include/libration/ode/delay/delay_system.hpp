@@ -53,6 +53,8 @@ public:
                       const std::vector<number>& inputs) const;
     /// The equations directly after the initial point.
     delay_stage first_stage() const { return stage(0, point_, starts_, {}); }
+    /// The same as equations in the given unknowns, with their initial values.
+    explicit_system first_equations() const { return explicit_system(equations(0)); }
 
 private:
     void read_histories(parameter_values& parameters);

@@ -1,4 +1,4 @@
-// A step of either integrator of proofs, by the enclosures that it gives.
+// Steps of the integrators of proofs, by the enclosures that they give.
 #pragma once
 
 #include <vector>
@@ -33,6 +33,35 @@ public:
         arb_abs(size.handle(), distance.handle());
         return arb_le(size.handle(), length_of_step().handle()) != 0;
     }
+};
+
+/// The reason why a proof cannot continue.
+enum class march_end {
+    none,
+    precision,  ///< the enclosure is too wide: more bits are needed
+    steps       ///< the steps become too small: a singularity of the solution is near, in real or complex time
+};
+
+/// The steps of an integrator, one after the other.
+class enclosed_steps {
+public:
+    enclosed_steps() = default;
+    enclosed_steps(const enclosed_steps&) = delete;
+    enclosed_steps& operator=(const enclosed_steps&) = delete;
+    virtual ~enclosed_steps() = default;
+
+    /// The step from reached() towards times at this distance, infinite if there is no last one, computed once and valid
+    /// until the next one is taken. Returns nullptr if the proof ends here, for the reason end().
+    virtual const enclosed_step* prepare_towards(const ball& rest) = 0;
+    /// Takes the whole step that prepare_towards() has returned, forwards for direction >= 0.
+    virtual void take_prepared(int direction) = 0;
+
+    virtual march_end end() const = 0;
+    /// The time up to which the solution is proved to exist.
+    virtual const ball& reached() const = 0;
+    virtual long steps() const = 0;
+    /// The initial number of bits.
+    virtual long bits() const = 0;
 };
 
 }  // namespace libration::ode

@@ -1,6 +1,7 @@
 // Enclosures of the zeros of a function of the solution: theorem E.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -93,6 +94,10 @@ public:
     event_search(const explicit_system& system, const expression& g, const set_start& start, long bits, int direction,
                  const proof_route& route = {}, march_watch watch = {});
 
+    /// The same along the steps of a solution that satisfies the equations of the system only near its initial point,
+    /// forwards. The steps enclose the values and slopes of the leaves of the system and must outlive this object.
+    event_search(const explicit_system& system, const expression& g, enclosed_steps& steps, march_watch watch = {});
+
     /// Maximum number of pieces of one step of a search.
     static constexpr long most_pieces_of_a_step = 4'000;
     /// Maximum number of steps without an event in a search without an end.
@@ -106,7 +111,9 @@ public:
     std::optional<proved_event> next(crossing way, const std::optional<number>& end,
                                      const std::optional<long>& horizon = std::nullopt);
 
-    const proved_march& march() const { return march_; }
+    /// The integrator; not of given steps.
+    const proved_march& march() const { return *own_; }
+    const enclosed_steps& steps() const { return march_; }
     search_end end() const { return end_; }
     const undecided_place& undecided() const { return *undecided_; }
 
@@ -122,6 +129,7 @@ private:
         int sign;  // of g, or of its derivative
     };
 
+    void begin_at(const number& point);
     void require_no_event_before_first_step(const ball& start);
     // Rounded outwards; the bounds of a step are still valid, since they are those of the distance itself.
     ball span_of(const step_piece& p) const { return hull(p.from, p.to) * direction_; }
@@ -150,7 +158,8 @@ private:
     expression g_, slope_;
     std::vector<expression> gradient_;     // the derivatives of g with respect to the leaves, and to the variable
     std::optional<expression> curvature_;  // computed on demand
-    proved_march march_;
+    std::unique_ptr<proved_march> own_;
+    enclosed_steps& march_;
     long digits_;
     int direction_;
     march_watch watch_;

@@ -1,4 +1,4 @@
-// Rigorous results for differential equations: solutions, sets of them, events, unknowns, conditions at infinity,
+// Rigorous results for differential equations: solutions, events, unknowns, conditions at infinity,
 // coefficients, condition numbers, singularities and radii of convergence.
 #pragma once
 
@@ -10,4 +10,3 @@
 #include "libration/ode/proved/proved_singularity.hpp"
 #include "libration/ode/proved/proved_trajectory.hpp"
 #include "libration/ode/proved/solution_branch.hpp"
-#include "libration/ode/proved/sets/solution_sets.hpp"

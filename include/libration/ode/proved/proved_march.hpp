@@ -24,13 +24,6 @@ class root_phase;
 /// An exception that it throws ends the run, which can be continued afterwards.
 using march_watch = std::function<void(const ball& reached, long bits)>;
 
-/// The reason why a proof cannot continue.
-enum class march_end {
-    none,
-    precision,  ///< the enclosure is too wide: more bits are needed
-    steps       ///< the steps become too small: a singularity of the solution is near, in real or complex time
-};
-
 /// Theorem V. The solution remains in c + Q [-r, r], c exact, from step to step: Phi, the flow over a step h, maps c
 /// into c' + [-tau, tau] by theorem T from the exact point (tau contains the tail, the radii of its balls, the rounding
 /// of c'), and A, from theorem T for the system with its variations over the whole set, contains the derivative of Phi
@@ -54,7 +47,7 @@ enum class march_end {
 /// (step_length.hpp). An unknown that is 0 at all times remains an exact 0: its centre, tail and row of A are exact
 /// zeros. One that is not distinguished from 0 for another reason has no effect on the steps; one that was
 /// distinguished before, and is no longer, ends the proof for lack of precision.
-class proved_march {
+class proved_march : public enclosed_steps {
 public:
     static constexpr long most_steps = 10'000'000;
     static constexpr long usual_error_bits = 64;
@@ -72,7 +65,7 @@ public:
     /// no step is found, instead of when an unknown is not distinguished from 0.
     proved_march(const explicit_system& system, state_set start, long bits, march_watch watch = {},
                  const proof_route& route = {});
-    ~proved_march();
+    ~proved_march() override;
 
     /// The given unknowns at a time, enclosing each solution through the initial set; times in one direction, away from
     /// the initial point. Returns std::nullopt if the proof ends before, for the reason end().
@@ -101,9 +94,9 @@ public:
 
     /// The step from reached() towards times at this distance, infinite if there is no last one, by either integrator,
     /// computed once and valid until the next one is taken. Returns nullptr if the proof ends here.
-    const enclosed_step* prepare_towards(const ball& rest);
+    const enclosed_step* prepare_towards(const ball& rest) override;
     /// Takes the whole step that prepare_towards() has returned, forwards for direction >= 0.
-    void take_prepared(int direction);
+    void take_prepared(int direction) override;
     /// Notes, for collocation() and the observer, that the step that prepare_towards() has returned is used up to this
     /// time.
     void use_prepared(const ball& time, int direction);
@@ -113,13 +106,13 @@ public:
     /// Takes the whole step that prepare() has returned, forwards for direction >= 0.
     void take(const proved_step& prepared, int direction);
 
-    march_end end() const { return end_; }
+    march_end end() const override { return end_; }
     /// The time up to which the solution is proved to exist.
-    const ball& reached() const { return time_; }
+    const ball& reached() const override { return time_; }
     /// A step of collocation counts as 32.
-    long steps() const { return steps_; }
+    long steps() const override { return steps_; }
     /// The initial number of bits.
-    long bits() const { return bits_; }
+    long bits() const override { return bits_; }
     /// Where collocation was used.
     const collocation_use& collocation() const;
 

@@ -4,7 +4,9 @@
 #include <iterator>
 
 #include "libration/digits/proved/printed_values.hpp"
+#include "libration/ode/delay/proved/delay_events.hpp"
 #include "libration/ode/delay/proved/delay_trajectory.hpp"
+#include "libration/ode/parse.hpp"
 #include "libration/problem/proved_answer.hpp"
 #include "libration/scalar/text/decimal.hpp"
 #include "states_at_times.hpp"
@@ -18,13 +20,13 @@ constexpr const char* not_with_delays = "is not supported for a problem with del
 // For what the solution does not answer.
 [[noreturn]] void refuse_question() {
     throw error(error_kind::argument, "problem", "",
-                "has delays, for which only values at times are supported: use reference or trajectory");
+                "has delays, for which only values at times and events are supported: use reference or trajectory");
 }
 
 }  // namespace
 
 delay_solution::delay_solution(const ode::equation_system& equations)
-    : solution(ode::names_of_state(ode::delay_system(equations))), system_(equations) {}
+    : solution(ode::names_of_state(ode::delay_system(equations))), equations_(equations), system_(equations) {}
 
 answer delay_solution::states(const std::vector<exact>& times, const request& how) const {
     if (!how.derivatives.empty()) {
@@ -74,8 +76,9 @@ answer delay_solution::limits(const request& /*how*/) const {
     throw error(error_kind::argument, "time", "inf", std::string(not_with_delays) + ": choose finite times");
 }
 
-answer delay_solution::events(const std::string& condition, long /*count*/, const request& /*how*/) const {
-    throw error(error_kind::argument, "condition", condition, std::string(not_with_delays) + ": choose times");
+answer delay_solution::events(const std::string& condition, long count, const request& how) const {
+    const ode::event_request asked{.g = ode::parse_condition(equations_, condition), .count = count};
+    return answer_of(quantities(), ode::searched_delay_events(system_, asked, how.printed_digits()));
 }
 
 void delay_solution::require_point(const std::string& about) const {

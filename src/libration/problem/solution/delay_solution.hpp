@@ -10,7 +10,7 @@
 
 namespace libration {
 
-/// Values at times from the initial point on. Everything else is not supported: error of the kind argument.
+/// Values at times from the initial point on, and events. Everything else is not supported: error of the kind argument.
 class delay_solution : public solution {
 public:
     /// Throws error as ode::delay_system.
@@ -34,6 +34,7 @@ private:
     answer proved_states(const std::vector<ode::number>& times, const request& how) const;
     answer rounded_states(const std::vector<ode::number>& times, const request& how) const;
 
+    ode::equation_system equations_;
     ode::delay_system system_;
 };
 

@@ -58,10 +58,28 @@ public:
         return std::nullopt;
     }
 
+    // The next step, valid until the one after it; null for the reason end(). Not together with at().
+    const delay_step<R>* next_step() {
+        const precision_scope scope(decimal_digits(bits_) + 10);
+        try {
+            if (complete_) {
+                pieces_.begin_next();
+                begin_piece();
+            }
+            return take_step() ? &pieces_.steps().back() : nullptr;
+        } catch (const precision_exhausted&) {
+            end_ = march_end::precision;
+        }
+        return nullptr;
+    }
+    // The time of the beginning of such a step.
+    R beginning_of(const delay_step<R>& step) const { return R(origin_ + step.begins); }
+
     march_end end() const { return end_; }
     // The time up to which the steps lead.
     ball reached() const { return as_ball(R(origin_ + next_begins_)); }
     long steps() const { return steps_; }
+    long bits() const { return bits_; }
 
 private:
     using state_errors = std::conditional_t<std::same_as<R, ball>, proved_errors, rounding_errors<R>>;

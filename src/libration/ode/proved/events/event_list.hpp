@@ -13,6 +13,13 @@
 
 namespace libration::ode {
 
+/// A question about an event that so many bits do not decide is left open.
+inline long most_bits_of_undecided(long digits) {
+    constexpr long least = 4096;
+    constexpr long factor = 16;
+    return std::max(least, factor * needed_bits(digits).now());
+}
+
 /// The requested events with what the runs up to now prove of each. Event k of each run is the same, since none is
 /// omitted: a later run adds digits to the events of those before it.
 class event_list {
@@ -93,7 +100,41 @@ public:
         wanted_ = found_;
     }
 
+    /// After a search that did not find the next event: with more bits, if they help. The system begins at `point`.
+    void continue_beyond(const event_search& search, const number& point, int direction) {
+        const std::string reached = proved_reach_text(search.steps().reached(), direction >= 0);
+        switch (search.end()) {
+            case search_end::time:
+                end("is not found before that time: " + std::to_string(found()) + " were found");
+                break;
+            case search_end::horizon:
+                end("is not found within " + std::to_string(search.steps().steps()) + " steps, from time " +
+                    bound_text(exact_midpoint(constant_value<ball>::of(point)), MPFR_RNDN) + " up to " + reached +
+                    ": give an end of the search, or a larger horizon");
+                break;
+            case search_end::steps:
+                end("is not reached: the solution is proved to exist up to " + reached +
+                    ", where the steps become too small, as they do near a singularity");
+                break;
+            case search_end::undecided:
+                search.undecided().too_many_pieces ? end(text_of(search.undecided()))
+                                                   : repeat_or_end(text_of(search.undecided()));
+                break;
+            case search_end::none:
+            case search_end::precision: repeat(); break;
+        }
+    }
+
 private:
+    std::string text_of(const undecided_place& place) const {
+        const std::string means = place.too_many_pieces
+                                      ? std::to_string(event_search::most_pieces_of_a_step) + " pieces of a step"
+                                      : std::to_string(bits()) + " bits";
+        return "is not decided by " + means + ": the condition may hold in [" + bound_text(place.from, MPFR_RNDD) +
+               ", " + bound_text(place.to, MPFR_RNDU) + "], where its two sides differ by at most " +
+               upper_bound_text(place.value.exact()) + " and the derivatives of the two sides by at most " +
+               upper_bound_text(place.slope.exact());
+    }
     std::string name_of_next() const { return std::to_string(found_ + 1); }
 
     void add_number(known_value& known, const ball& value) {

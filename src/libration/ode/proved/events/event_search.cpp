@@ -34,7 +34,8 @@ event_search::event_search(const explicit_system& system, const expression& g, l
       g_(form_.in_leaves(g)),
       slope_(form_.slope_of(g_)),
       gradient_(gradient_of(form_, g_)),
-      march_(system, bits, {}, proved_march::usual_error_bits, route),
+      own_(std::make_unique<proved_march>(system, bits, march_watch{}, proved_march::usual_error_bits, route)),
+      march_(*own_),
       digits_(decimal_digits(bits) + 10),
       direction_(direction < 0 ? -1 : 1),
       watch_(std::move(watch)) {
@@ -43,8 +44,7 @@ event_search::event_search(const explicit_system& system, const expression& g, l
         require_no_event_before_first_step(constant_value<ball>::of(system.point()));
         return;
     }
-    start_ = sign_at_start(form_, g_, slope_, system.point());
-    sign_ = start_.beside(direction_);
+    begin_at(system.point());
 }
 
 event_search::event_search(const explicit_system& system, const expression& g, const search_start& start, long bits,
@@ -53,7 +53,9 @@ event_search::event_search(const explicit_system& system, const expression& g, c
       g_(form_.in_leaves(g)),
       slope_(form_.slope_of(g_)),
       gradient_(gradient_of(form_, g_)),
-      march_(system, start.state, bits, proved_march::usual_error_bits, {}, route),
+      own_(std::make_unique<proved_march>(system, start.state, bits, proved_march::usual_error_bits, march_watch{},
+                                          route)),
+      march_(*own_),
       digits_(decimal_digits(bits) + 10),
       direction_(1),
       watch_(std::move(watch)),
@@ -67,15 +69,34 @@ event_search::event_search(const explicit_system& system, const expression& g, c
       g_(form_.in_leaves(g)),
       slope_(form_.slope_of(g_)),
       gradient_(gradient_of(form_, g_)),
-      march_(system, start.states, bits, {}, route),
+      own_(std::make_unique<proved_march>(system, start.states, bits, march_watch{}, route)),
+      march_(*own_),
       digits_(decimal_digits(bits) + 10),
       direction_(direction < 0 ? -1 : 1),
       watch_(std::move(watch)),
       start_{start.at_zero ? 1 : 0, start.sign, start.at_zero ? slope_ : g_},
       sign_(start_.beside(direction_)) {
     if (start.keeps_derivative) {
-        march_.keep_derivative();
+        own_->keep_derivative();
     }
+}
+
+event_search::event_search(const explicit_system& system, const expression& g, enclosed_steps& steps, march_watch watch)
+    : form_(system),
+      g_(form_.in_leaves(g)),
+      slope_(form_.slope_of(g_)),
+      gradient_(gradient_of(form_, g_)),
+      march_(steps),
+      digits_(decimal_digits(steps.bits()) + 10),
+      direction_(1),
+      watch_(std::move(watch)) {
+    const precision_scope scope(digits_);
+    begin_at(system.point());
+}
+
+void event_search::begin_at(const number& point) {
+    start_ = sign_at_start(form_, g_, slope_, point);
+    sign_ = start_.beside(direction_);
 }
 
 void event_search::require_no_event_before_first_step(const ball& start) {
@@ -84,8 +105,8 @@ void event_search::require_no_event_before_first_step(const ball& start) {
                     "has a singular initial point, and events are searched only after it");
     }
     expression_values<ball> values(form_.leaves, hull(start, march_.reached()));
-    const bool begins_at_start = march_.before().empty();
-    for (const ball& each : begins_at_start ? march_.set().hull() : march_.before()) {
+    const bool begins_at_start = own_->before().empty();
+    for (const ball& each : begins_at_start ? own_->set().hull() : own_->before()) {
         values.push_back(each);
     }
     sign_ = known_sign(values.of(g_));
@@ -327,7 +348,7 @@ void event_search::add_part(step_piece p) {
         if (converged || p.is_narrow(march_.bits()) || !narrowed_by_signs(p)) {
             const ball time = march_.reached() + *place;
             parts_.push_back({time, std::move(here.state), crossing::any,
-                              march_.derivative() ? march_.derivative_at(time) : ball_matrix()});
+                              own_ && own_->derivative() ? own_->derivative_at(time) : ball_matrix()});
             return;
         }
     }

@@ -12,13 +12,6 @@ namespace libration::ode {
 
 namespace {
 
-// A question about an event that so many bits do not decide is left open.
-long most_bits_of_undecided(long digits) {
-    constexpr long least = 4096;
-    constexpr long factor = 16;
-    return std::max(least, factor * needed_bits(digits).now());
-}
-
 class event_runs {
 public:
     event_runs(const explicit_system& system, const event_request& request, long digits, const proof_route& route,
@@ -88,47 +81,15 @@ private:
         list_.add(event.time, values);
     }
 
-    std::string reached_text(const ball& reached) const { return proved_reach_text(reached, request_.direction >= 0); }
-
-    // After a search that did not find the next event: with more bits, if they help.
+    // If g itself is too wide on sets of times, the next run has it as an unknown.
     void continue_beyond(const event_search& search) {
-        const std::string reached = reached_text(search.march().reached());
-        switch (search.end()) {
-            case search_end::time:
-                list_.end("is not found before that time: " + std::to_string(list_.found()) + " were found");
-                break;
-            case search_end::horizon:
-                list_.end("is not found within " + std::to_string(search.march().steps()) + " steps, from time " +
-                          bound_text(exact_midpoint(constant_value<ball>::of(system_.point())), MPFR_RNDN) + " up to " +
-                          reached + ": give an end of the search, or a larger horizon");
-                break;
-            case search_end::steps:
-                list_.end("is not reached: the solution is proved to exist up to " + reached +
-                          ", where the steps become too small, as they do near a singularity");
-                break;
-            case search_end::undecided:
-                if (!search.undecided().too_many_pieces) {
-                    list_.repeat_or_end(text_of(search.undecided()));
-                } else if (as_unknown_ || system_.singular()) {
-                    list_.end(text_of(search.undecided()));
-                } else {
-                    as_unknown_ = with_condition(system_, request_.g);
-                    list_.repeat_with_same_bits();
-                }
-                break;
-            case search_end::none:
-            case search_end::precision: list_.repeat(); break;
+        if (search.end() == search_end::undecided && search.undecided().too_many_pieces && !as_unknown_ &&
+            !system_.singular()) {
+            as_unknown_ = with_condition(system_, request_.g);
+            list_.repeat_with_same_bits();
+        } else {
+            list_.continue_beyond(search, system_.point(), request_.direction);
         }
-    }
-
-    std::string text_of(const undecided_place& place) const {
-        const std::string means = place.too_many_pieces
-                                      ? std::to_string(event_search::most_pieces_of_a_step) + " pieces of a step"
-                                      : std::to_string(list_.bits()) + " bits";
-        return "is not decided by " + means + ": the condition may hold in [" + bound_text(place.from, MPFR_RNDD) +
-               ", " + bound_text(place.to, MPFR_RNDU) + "], where its two sides differ by at most " +
-               upper_bound_text(place.value.exact()) + " and the derivatives of the two sides by at most " +
-               upper_bound_text(place.slope.exact());
     }
 
     const explicit_system& system_;

@@ -1,0 +1,15 @@
+// Events of the solution of a delay differential equation to proved digits.
+#pragma once
+
+#include "libration/ode/delay/delay_system.hpp"
+#include "libration/ode/proved/proved_events.hpp"
+
+namespace libration::ode {
+
+/// As searched_events, by theorems E and M, forwards: g is in the unknowns, their lower derivatives and the variable, and
+/// not in delayed values. The slopes of the unknowns are continuous from the initial point on. Throws error of the kind
+/// argument for `before` before the initial point, where the solution is the history.
+event_report searched_delay_events(const delay_system& system, const event_request& request, long digits,
+                                   const event_watch& watch = {});
+
+}  // namespace libration::ode
