@@ -148,17 +148,12 @@ bool asks_proof(int rigour) {
     return rigour == LIBRATION_PROVED;
 }
 
-std::string trimmed(std::string_view text) {
-    constexpr std::string_view blanks = " \t\r\n";
-    const std::size_t first = text.find_first_not_of(blanks);
-    return first == std::string_view::npos ? std::string()
-                                           : std::string(text.substr(first, text.find_last_not_of(blanks) + 1 - first));
-}
+std::string trimmed(std::string_view text) { return std::string(without_blanks(text)); }
 
 std::vector<std::string> items_of(const std::string& list, const char* name) {
     std::vector<std::string> items;
     for (const std::string_view each : list_items(list)) {
-        items.push_back(trimmed(each));
+        items.emplace_back(each);
         if (items.back().empty()) {
             throw error(error_kind::argument, name, list, "has an empty item");
         }

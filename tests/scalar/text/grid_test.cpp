@@ -49,6 +49,8 @@ std::string complaint_about(const std::string& grid) {
 }  // namespace
 
 TEST_CASE("a list keeps its items as typed and in order", "[sweep][grid]") {
+    CHECK(texts_of("0, 1/2 , 2 : 3 : 2") == words{"0", "1/2", "2", "3"});
+    CHECK(texts_of(" 300") == words{"300"});
     CHECK(texts_of("1.71") == words{"1.71"});
     CHECK(texts_of("2.50,-1e6,+0.5,1/3,T/4,3pi/4,150deg,0") ==
           words{"2.50", "-1e6", "+0.5", "1/3", "T/4", "3pi/4", "150deg", "0"});
