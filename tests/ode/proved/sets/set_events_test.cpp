@@ -9,32 +9,21 @@
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"
-#include "proved.hpp"
+#include "ode/proved/sets/set_ranges.hpp"
 
 namespace ode_proved_sets_set_events_test {
 
 using namespace libration;
 using namespace libration::ode;
+using tests::check_range;
+using tests::digits_of_ranges;
+using tests::sharp;
+using tests::value_of;
 
 namespace {
 
-// Of the closed forms and comparisons.
-constexpr long test_digits = 400;
-
-ball value_of(const std::string& text) { return constant_value<ball>::of(parse_constant(text).constant()); }
-
 set_events events_of(const std::string& problem, const set_event_request& asked) {
     return enclosed_events(parse(problem), asked);
-}
-
-// The interval contains the range from lower to upper, and is at most `times` as wide.
-void check_range(const closed_interval& found, const ball& lower, const ball& upper, double times) {
-    INFO(tests::text_of(found.lower) << " .. " << tests::text_of(found.upper) << " should be " << tests::text_of(lower)
-                                     << " .. " << tests::text_of(upper));
-    CHECK_FALSE(certainly_less(lower, found.lower));
-    CHECK_FALSE(certainly_less(found.upper, upper));
-    const ball allowed = (upper - lower) * from_rational<ball>(rational(static_cast<long>(times * 1024), 1024));
-    CHECK_FALSE(certainly_less(allowed, found.upper - found.lower));
 }
 
 // The radii of sets have 30 bits.
@@ -51,14 +40,11 @@ std::string missing_of(const std::string& problem, const set_event_request& aske
     return found.missing->what();
 }
 
-// Bounds of monotone values are taken at the ends: 1/1024 is far above the precision of 2^-64 of the width.
-constexpr double sharp = 1 + 1.0 / 1024;
-
 }  // namespace
 
 // y = h - g t^2/2: t = sqrt(2 h/g) with y' = -sqrt(2 g h). Then the speed increases with h and g, the time with h alone.
 TEST_CASE("the events of a set are those of the extreme solutions", "[ode][proved][sets]") {
-    const precision_scope scope(test_digits);
+    const precision_scope scope(digits_of_ranges);
     const auto fall = events_of("y'' = -g; y(0) = [0.9, 1.1]; y'(0) = 0; g = [9.7, 9.9]", {.condition = "y = 0"});
     CHECK(fall.names == std::vector<std::string>{"y", "y'"});
     REQUIRE(fall.events.size() == 1);
@@ -82,7 +68,7 @@ TEST_CASE("the events of a set are those of the extreme solutions", "[ode][prove
 
 // x = A cos t + B sin t, A, B > 0, is 0 at pi - arctan(A/B) + n pi.
 TEST_CASE("events of a set are counted in their order", "[ode][proved][sets]") {
-    const precision_scope scope(test_digits);
+    const precision_scope scope(digits_of_ranges);
     const std::string problem = "x'' = -x; x(0) = [1, 2]; x'(0) = [1, 3/2]";
     const ball first = pi<ball>() - atan(ball(2));
     const ball last = pi<ball>() - atan(value_of("2/3"));
@@ -101,7 +87,7 @@ TEST_CASE("events of a set are counted in their order", "[ode][proved][sets]") {
 
 // What is 0 at the initial point of all solutions is no event, and the next one is found.
 TEST_CASE("events of a set begin after the initial point", "[ode][proved][sets]") {
-    const precision_scope scope(test_digits);
+    const precision_scope scope(digits_of_ranges);
     const std::string problem = "x'' = -x; x(0) = 0; x'(0) = [1, 2]";
     const auto found = events_of(problem, {.condition = "x = 0", .count = 2});
     REQUIRE(found.events.size() == 2);
@@ -120,7 +106,7 @@ TEST_CASE("events of a set begin after the initial point", "[ode][proved][sets]"
 // 5 - b^2, with its largest value inside; and y at x = 3, y = c sin(pi (2 t/5)), x = s + t, at times from 2 to 3 where
 // the sine has both signs.
 TEST_CASE("values at events that are not monotone", "[ode][proved][sets]") {
-    const precision_scope scope(test_digits);
+    const precision_scope scope(digits_of_ranges);
     const auto square = events_of("x' = 1; x(0) = b^2; b = [-1, 2]", {.condition = "x = 5"});
     check_range(square.events[0].time, ball(1), ball(5), 1.125);
     const std::string turning = "x' = 1; y'' = -(2*pi/5)^2*y; x(0) = [0, 1]; y(0) = 0; y'(0) = 2*pi/5*c; c = [1, 2]";

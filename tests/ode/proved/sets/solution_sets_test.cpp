@@ -10,21 +10,20 @@
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"
-#include "proved.hpp"
+#include "ode/proved/sets/set_ranges.hpp"
 
 namespace ode_proved_sets_solution_sets_test {
 
 using namespace libration;
 using namespace libration::ode;
+using tests::check_range;
+using tests::digits_of_ranges;
+using tests::sharp;
+using tests::value_of;
 
 namespace {
 
-// Of the closed forms and comparisons.
-constexpr long test_digits = 400;
-
 number number_in(const std::string& text) { return parse_constant(text).constant(); }
-
-ball value_of(const std::string& text) { return constant_value<ball>::of(number_in(text)); }
 
 set_enclosures enclosed_at(const std::string& problem, const std::vector<std::string>& times,
                            std::size_t most_parts = set_request{}.most_parts) {
@@ -39,24 +38,10 @@ set_enclosures enclosed_over(const std::string& problem, const std::string& from
     return enclosed_solutions(parse(problem), {.spans = {{number_in(from), number_in(to)}}});
 }
 
-// The interval contains the range from lower to upper, and is at most `times` as wide.
-void check_range(const closed_interval& found, const ball& lower, const ball& upper, double times) {
-    const precision_scope scope(test_digits);
-    INFO(tests::text_of(found.lower) << " .. " << tests::text_of(found.upper) << " should be " << tests::text_of(lower)
-                                     << " .. " << tests::text_of(upper));
-    CHECK_FALSE(certainly_less(lower, found.lower));
-    CHECK_FALSE(certainly_less(found.upper, upper));
-    const ball allowed = (upper - lower) * from_rational<ball>(rational(static_cast<long>(times * 1024), 1024));
-    CHECK_FALSE(certainly_less(allowed, found.upper - found.lower));
-}
-
-// Bounds of monotone values are taken at the ends: 1/1024 is far above the precision of 2^-64 of the width.
-constexpr double sharp = 1 + 1.0 / 1024;
-
 }  // namespace
 
 TEST_CASE("the range of a monotone value is that of the ends", "[ode][proved][sets]") {
-    const precision_scope scope(test_digits);
+    const precision_scope scope(digits_of_ranges);
     const auto growth = enclosed_at("x' = x; x(0) = [0.9, 1.1]", {"1", "-2", "0"});
     check_range(growth.values[0][0], value_of("0.9") * exp(ball(1)), value_of("1.1") * exp(ball(1)), sharp);
     check_range(growth.values[1][0], value_of("0.9") * exp(ball(-2)), value_of("1.1") * exp(ball(-2)), sharp);
@@ -78,7 +63,7 @@ TEST_CASE("the range of a monotone value is that of the ends", "[ode][proved][se
 }
 
 TEST_CASE("a set is enclosed until shortly before a part of it blows up", "[ode][proved][sets]") {
-    const precision_scope scope(test_digits);
+    const precision_scope scope(digits_of_ranges);
     // x0/(1 - x0 t), to ten times the largest start.
     const auto near = enclosed_at("x' = x^2; x(0) = [0.5, 1]", {"0.9"});
     check_range(near.values[0][0], value_of("0.5/0.55"), ball(10), sharp);
@@ -94,7 +79,7 @@ TEST_CASE("a set is enclosed until shortly before a part of it blows up", "[ode]
 }
 
 TEST_CASE("a rotating box is not wrapped", "[ode][proved][sets]") {
-    const precision_scope scope(test_digits);
+    const precision_scope scope(digits_of_ranges);
     for (const std::string time : {"1", "7", "100", "-3"}) {
         INFO(time);
         const auto found = enclosed_at("x'' = -x; x(0) = 2 +- 1/2; x'(0) = [-1, 1]", {time});
@@ -109,7 +94,7 @@ TEST_CASE("a rotating box is not wrapped", "[ode][proved][sets]") {
 }
 
 TEST_CASE("the range of a value that is not monotone is approached by parts", "[ode][proved][sets]") {
-    const precision_scope scope(test_digits);
+    const precision_scope scope(digits_of_ranges);
     // y = x0^2 (1 - e^(-2t))/2, with the least value inside the interval.
     const std::string problem = "x' = -x; y' = x^2; x(0) = [-1, 1]; y(0) = 0";
     const ball upper = (ball(1) - exp(ball(-2))) / 2;
@@ -162,7 +147,7 @@ TEST_CASE("every solution of a set is in its enclosure", "[ode][proved][sets]") 
 }
 
 TEST_CASE("intervals of any width and size", "[ode][proved][sets]") {
-    const precision_scope scope(test_digits);
+    const precision_scope scope(digits_of_ranges);
     for (const std::string half : {"1e-300", "1e-30", "1e-5", "1/4"}) {
         INFO(half);
         const auto found = enclosed_at("x' = x; x(0) = 1 +- " + half, {"1"});
@@ -185,7 +170,7 @@ TEST_CASE("intervals of any width and size", "[ode][proved][sets]") {
 }
 
 TEST_CASE("a span contains all of its times", "[ode][proved][sets]") {
-    const precision_scope scope(test_digits);
+    const precision_scope scope(digits_of_ranges);
     const auto swing = enclosed_over("x'' = -x; x(0) = 1; x'(0) = 0", "0", "4");
     check_range(swing.values[0][0], ball(-1), ball(1), 1.0625);
     check_range(swing.values[0][1], ball(-1), -sin(ball(4)), 1.0625);
@@ -236,7 +221,7 @@ TEST_CASE("sets in C++ are those of the text", "[ode][proved][sets]") {
     system.begin_between(x, rational(9, 10), rational(11, 10));
     system.set_between("b", 1, 2);
     CHECK_THROWS_WITH(explicit_system(system), Catch::Contains("is a set of values"));
-    const precision_scope scope(test_digits);
+    const precision_scope scope(digits_of_ranges);
     const auto found = enclosed_solutions(system, {.spans = {at_time(number(1))}});
     check_range(found.values[0][0], value_of("0.9") * exp(ball(1)), value_of("1.1") * exp(ball(2)), sharp);
     system.set("b", 1).begin_between(x, 2, 3);

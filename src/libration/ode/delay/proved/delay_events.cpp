@@ -15,8 +15,8 @@ public:
           first_(system.first_equations()),
           request_(request),
           watch_(watch),
-          fixed_(given_values(first_, request.g)),
-          list_(names_of_state(system), request.count, digits, most_bits_of_undecided(digits)) {}
+          given_(given_values(first_, request.g)),
+          list_(names_of_state(system), request.count, digits, most_bits_of_event(digits)) {}
 
     event_report result() {
         return list_.of_runs([this] { return steps_of_run(); });
@@ -28,19 +28,13 @@ private:
         const precision_scope scope(decimal_digits(list_.bits()) + 10);
         delay_steps steps(system_, list_.bits());
         event_search search(first_, request_.g, steps, [&](const ball& reached, long bits) { tell(reached, bits); });
-        if (const auto start = request_.from_start ? search.at_start() : std::nullopt;
-            start && (request_.way == crossing::any || request_.way == start->way)) {
-            add(*start);
-        }
-        while (list_.continues()) {
-            const auto event = search.next(request_.way, request_.before, request_.horizon);
-            if (!event) {
-                list_.continue_beyond(search, system_.point(), 1);
-            } else if (!request_.before || list_.is_before(*request_.before, event->time, 1)) {
-                add(*event);
+        find_events(
+            list_, search, request_,
+            [&](const proved_event& event) {
+                list_.add(event.time, with_given_values(event.state, given_));
                 tell(steps.reached(), list_.bits());
-            }
-        }
+            },
+            [&] { list_.continue_beyond(search, system_.point(), 1); });
         return steps.steps();
     }
 
@@ -50,21 +44,11 @@ private:
         }
     }
 
-    void add(const proved_event& event) {
-        std::vector<ball> values = event.state;
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            if (fixed_[i]) {
-                values[i] = constant_value<ball>::of(*fixed_[i]);
-            }
-        }
-        list_.add(event.time, values);
-    }
-
     const delay_system& system_;
     explicit_system first_;  // the equations up to the first breaking point
     const event_request& request_;
     const event_watch& watch_;
-    std::vector<std::optional<number>> fixed_;
+    std::vector<std::optional<number>> given_;
     event_list list_;
 };
 

@@ -14,7 +14,7 @@
 namespace libration::ode {
 
 /// A question about an event that so many bits do not decide is left open.
-inline long most_bits_of_undecided(long digits) {
+inline long most_bits_of_event(long digits) {
     constexpr long least = 4096;
     constexpr long factor = 16;
     return std::max(least, factor * needed_bits(digits).now());
@@ -175,5 +175,34 @@ private:
     std::size_t found_ = 0;  // of this run
     bool repeats_ = false;   // whether this run is to be repeated with more bits
 };
+
+/// The events of one run: add(event) for each of them that is before the end of the search, and beyond() after a search
+/// that did not find the next one.
+template <class Add, class Beyond>
+void find_events(event_list& list, event_search& search, const event_request& request, const Add& add,
+                 const Beyond& beyond) {
+    if (const auto start = request.from_start ? search.at_start() : std::nullopt;
+        start && (request.way == crossing::any || request.way == start->way)) {
+        add(*start);
+    }
+    while (list.continues()) {
+        const auto event = search.next(request.way, request.before, request.horizon);
+        if (!event) {
+            beyond();
+        } else if (!request.before || list.is_before(*request.before, event->time, request.direction)) {
+            add(*event);
+        }
+    }
+}
+
+/// The numbers of `values` that the condition itself determines, by these.
+inline std::vector<ball> with_given_values(std::vector<ball> values, const std::vector<std::optional<number>>& given) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (given[i]) {
+            values[i] = constant_value<ball>::of(*given[i]);
+        }
+    }
+    return values;
+}
 
 }  // namespace libration::ode

@@ -21,7 +21,7 @@ public:
           route_(route),
           watch_(watch),
           given_(given_values(system, request.g)),
-          list_(names_of_state(system), request.count, digits, most_bits_of_undecided(digits)) {}
+          list_(names_of_state(system), request.count, digits, most_bits_of_event(digits)) {}
 
     event_report result() {
         event_report report = list_.of_runs([this] { return steps_of_run(); });
@@ -36,21 +36,21 @@ private:
         event_search search(as_unknown_ ? as_unknown_->system : system_,
                             as_unknown_ ? as_unknown_->condition : request_.g, list_.bits(), request_.direction, route_,
                             [&](const ball& reached, long bits) { tell(reached, bits); });
-        if (const auto start = request_.from_start ? search.at_start() : std::nullopt;
-            start && (request_.way == crossing::any || request_.way == start->way)) {
-            add(*start);
-        }
-        while (list_.continues()) {
-            const auto event = search.next(request_.way, request_.before, request_.horizon);
+        const auto note_collocation = [&] {
             const collocation_use& used = search.march().collocation();
             collocation_.assign(used.steps > 0 ? 1 : 0, used);
-            if (!event) {
-                continue_beyond(search);
-            } else if (!request_.before || list_.is_before(*request_.before, event->time, request_.direction)) {
-                add(*event);
+        };
+        find_events(
+            list_, search, request_,
+            [&](const proved_event& event) {
+                note_collocation();
+                list_.add(event.time, with_given_values(state_of(event), given_));
                 tell(search.march().reached(), list_.bits());
-            }
-        }
+            },
+            [&] {
+                note_collocation();
+                continue_beyond(search);
+            });
         return search.march().steps();
     }
 
@@ -69,16 +69,6 @@ private:
             state.push_back(event.state[place]);
         }
         return state;
-    }
-
-    void add(const proved_event& event) {
-        std::vector<ball> values = state_of(event);
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            if (given_[i]) {
-                values[i] = constant_value<ball>::of(*given_[i]);
-            }
-        }
-        list_.add(event.time, values);
     }
 
     // If g itself is too wide on sets of times, the next run has it as an unknown.
