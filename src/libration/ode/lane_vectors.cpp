@@ -32,24 +32,34 @@ private:
     std::size_t length_;
 };
 
-// sum_{k=first}^{last} a_k b_{n-k} in four independent partial sums.
+// sum_{k=first}^{last} a_k b_{n-k}, term by term as in sum_in_fours (placed_steps.hpp).
 HWY_INLINE vector sum_of_products(const column& a, const column& b, int n, int first, int last) {
     const doubles d;
+    if (first >= last) {
+        return first == last ? hn::Mul(a[first], b[n - first]) : hn::Zero(d);
+    }
     vector s0 = hn::Zero(d);
     vector s1 = hn::Zero(d);
     vector s2 = hn::Zero(d);
     vector s3 = hn::Zero(d);
-    int k = first;
-    for (; k + 3 <= last; k += 4) {
+    int k = first + 1;
+    for (; k + 3 < last; k += 4) {
         s0 = hn::Add(s0, hn::Mul(a[k], b[n - k]));
         s1 = hn::Add(s1, hn::Mul(a[k + 1], b[n - k - 1]));
         s2 = hn::Add(s2, hn::Mul(a[k + 2], b[n - k - 2]));
         s3 = hn::Add(s3, hn::Mul(a[k + 3], b[n - k - 3]));
     }
-    for (; k <= last; ++k) {
+    if (k < last) {
         s0 = hn::Add(s0, hn::Mul(a[k], b[n - k]));
     }
-    return hn::Add(hn::Add(s0, s1), hn::Add(s2, s3));
+    if (k + 1 < last) {
+        s1 = hn::Add(s1, hn::Mul(a[k + 1], b[n - k - 1]));
+    }
+    if (k + 2 < last) {
+        s2 = hn::Add(s2, hn::Mul(a[k + 2], b[n - k - 2]));
+    }
+    return hn::Add(hn::Add(hn::Add(s0, s1), hn::Add(s2, s3)),
+                   hn::Add(hn::Mul(a[first], b[n - first]), hn::Mul(a[last], b[n - last])));
 }
 
 // sum_{k=first}^{n-first} a_k a_{n-k}, each product once.
@@ -59,20 +69,58 @@ HWY_INLINE vector sum_of_squares(const column& a, int n, int first) {
     return n % 2 == 0 && n >= 2 * first ? hn::Add(twice, hn::Mul(a[n / 2], a[n / 2])) : twice;
 }
 
-HWY_INLINE vector coefficient(const lane_group& of, const lane_rows& rows, std::size_t lane, int n) {
-    const doubles d;
-    const column a(rows, of.left + lane);
+// Each of the following is coefficient n of some lanes of a group.
+
+HWY_INLINE vector sum(const lane_group& of, const lane_rows& rows, std::size_t lane, int n) {
+    return hn::Add(column(rows, of.left + lane)[n], column(rows, of.right + lane)[n]);
+}
+
+HWY_INLINE vector difference(const lane_group& of, const lane_rows& rows, std::size_t lane, int n) {
+    return hn::Sub(column(rows, of.left + lane)[n], column(rows, of.right + lane)[n]);
+}
+
+HWY_INLINE vector scaled(const lane_group& of, const lane_rows& rows, std::size_t lane, int n) {
+    return hn::Mul(column(rows, of.left + lane)[n], hn::LoadU(doubles(), rows.factors.data() + of.factors + lane));
+}
+
+HWY_INLINE vector product(const lane_group& of, const lane_rows& rows, std::size_t lane, int n) {
+    return sum_of_products(column(rows, of.left + lane), column(rows, of.right + lane), n, 0, n);
+}
+
+HWY_INLINE vector square(const lane_group& of, const lane_rows& rows, std::size_t lane, int n) {
+    return sum_of_squares(column(rows, of.left + lane), n, 0);
+}
+
+HWY_INLINE vector quotient(const lane_group& of, const lane_rows& rows, std::size_t lane, int n) {
     const column b(rows, of.right + lane);
-    const column result(rows, of.result + lane);
-    const double* const factors = rows.factors.data() + of.factors + lane;
+    const vector sum = sum_of_products(b, column(rows, of.result + lane), n, 1, n);
+    return hn::Div(hn::Sub(column(rows, of.left + lane)[n], sum), b[0]);
+}
+
+HWY_INLINE vector square_root(const lane_group& of, const lane_rows& rows, std::size_t lane, int n) {
+    const vector sum = sum_of_squares(column(rows, of.result + lane), n, 1);
+    const vector twice_root = hn::LoadU(doubles(), rows.factors.data() + of.factors + lane);
+    return hn::Div(hn::Sub(column(rows, of.left + lane)[n], sum), twice_root);
+}
+
+template <vector (*coefficient)(const lane_group&, const lane_rows&, std::size_t, int)>
+HWY_INLINE void in_all_lanes(const lane_group& of, lane_rows& rows, int n) {
+    const doubles d;
+    double* const results = rows.row(n) + of.result;
+    for (std::size_t lane = 0; lane < of.lanes; lane += hn::Lanes(d)) {
+        hn::StoreU(coefficient(of, rows, lane, n), d, results + lane);
+    }
+}
+
+HWY_INLINE void run_group(const lane_group& of, lane_rows& rows, int n) {
     switch (of.kind) {
-        case operation::sum: return hn::Add(a[n], b[n]);
-        case operation::difference: return hn::Sub(a[n], b[n]);
-        case operation::scaled: return hn::Mul(a[n], hn::LoadU(d, factors));
-        case operation::product: return sum_of_products(a, b, n, 0, n);
-        case operation::square: return sum_of_squares(a, n, 0);
-        case operation::quotient: return hn::Div(hn::Sub(a[n], sum_of_products(b, result, n, 1, n)), b[0]);
-        case operation::square_root: return hn::Div(hn::Sub(a[n], sum_of_squares(result, n, 1)), hn::LoadU(d, factors));
+        case operation::sum: in_all_lanes<sum>(of, rows, n); break;
+        case operation::difference: in_all_lanes<difference>(of, rows, n); break;
+        case operation::scaled: in_all_lanes<scaled>(of, rows, n); break;
+        case operation::product: in_all_lanes<product>(of, rows, n); break;
+        case operation::square: in_all_lanes<square>(of, rows, n); break;
+        case operation::quotient: in_all_lanes<quotient>(of, rows, n); break;
+        case operation::square_root: in_all_lanes<square_root>(of, rows, n); break;
         case operation::constant:
         case operation::variable:
         case operation::state:
@@ -83,9 +131,8 @@ HWY_INLINE vector coefficient(const lane_group& of, const lane_rows& rows, std::
         case operation::power:
         case operation::function:
         case operation::primitive:
-        case operation::companion: break;
+        case operation::companion: break;  // excluded by has_lanes()
     }
-    return hn::Zero(d);  // excluded by has_lanes()
 }
 
 // Gathers scattered elements of row n into contiguous ones.
@@ -100,8 +147,6 @@ HWY_INLINE void gather(lane_rows& rows, std::ptrdiff_t indices, std::size_t plac
 }
 
 void run(std::span<const lane_group> groups, lane_rows& rows, int n) {
-    const doubles d;
-    double* const row = rows.row(n);
     for (const lane_group& of : groups) {
         if (of.gathered_left >= 0) {
             gather(rows, of.gathered_left, of.left, of.lanes, n);
@@ -109,9 +154,7 @@ void run(std::span<const lane_group> groups, lane_rows& rows, int n) {
         if (of.gathered_right >= 0) {
             gather(rows, of.gathered_right, of.right, of.lanes, n);
         }
-        for (std::size_t lane = 0; lane < of.lanes; lane += hn::Lanes(d)) {
-            hn::StoreU(coefficient(of, rows, lane, n), d, row + of.result + lane);
-        }
+        run_group(of, rows, n);
     }
 }
 

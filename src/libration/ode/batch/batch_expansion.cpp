@@ -13,6 +13,7 @@ template class step_arrays<lane_numbers>;
 
 struct batch_expansion::program {
     lane_program of;
+    std::vector<lane_numbers> ahead;  // two for each step
     std::function<void(int, int)> otherwise;
 };
 
@@ -26,6 +27,7 @@ public:
         for (int n = 0; n <= to_.order_; ++n) {
             made.degrees.emplace_back(n);
         }
+        to_.program_->ahead.resize(2 * steps_.size());
         made.steps_until = to_.order_ - *std::ranges::min_element(to_.tape_.orders());
         fixed_ = std::vector<bool>(steps_.size(), false);
         mark_parameters();
@@ -136,7 +138,8 @@ private:
                 operand(step.derivative),
                 step.constant < 0 ? static_cast<double>(step.numerator)
                                   : to_.arrays_.constants()[static_cast<std::size_t>(step.constant)][0],
-                degree(step.denominator)};
+                degree(step.denominator),
+                to_.program_->ahead[2 * static_cast<std::size_t>(index)].lane.data()};
     }
 
     // Whether coefficient 0 follows the rule of the others.

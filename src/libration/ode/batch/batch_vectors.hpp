@@ -53,6 +53,7 @@ struct lane_step {
     const double* derivative;
     double factor;
     degree divisor;
+    double* ahead;  ///< two times batch_lanes numbers for sums of the next degree
 };
 
 /// An unknown or a lower derivative, and what its slope is.
