@@ -2,7 +2,6 @@
 #pragma once
 
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -156,6 +155,8 @@ struct equation_system {
     bool is_open(const std::string& name) const;
     /// Whether it is a parameter with a number, a set or an open value.
     bool has_parameter(const std::string& name) const;
+    /// The highest derivative of each unknown in the equations, by its name: one pass for all of them.
+    std::map<std::string, int> highest_derivatives() const;
     /// The highest derivative of an unknown in the equations; 1 if it occurs without one, 0 if it does not occur.
     int order_of(const std::string& unknown) const;
     /// Whether an unknown occurs in the equations, but no derivative of it.
@@ -166,9 +167,6 @@ struct equation_system {
     bool has_delays() const { return !delays.empty() || !histories.empty(); }
     /// Whether it is a system of ordinary differential equations with one smooth right-hand side.
     bool is_ordinary() const { return is_smooth() && !has_delays(); }
-
-private:
-    std::optional<int> highest_derivative_of(const std::string& unknown) const;
 };
 
 /// The name of an initial value, x'(0), by which a set refers to it.

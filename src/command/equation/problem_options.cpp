@@ -70,10 +70,11 @@ void require_values(const ode::equation_system& system, const std::string& words
         return std::ranges::find(system.histories, name, &ode::history::unknown) != system.histories.end() ||
                std::ranges::any_of(system.delays, [&](const auto& each) { return each.of.name() == name; });
     };
+    const auto highest = system.highest_derivatives();
     for (const std::string& name : system.unknowns()) {
-        for (int order = 0; order < system.order_of(name); ++order) {
+        for (int order = 0; order < highest.at(name); ++order) {  // none of an algebraic unknown
             const auto of = ode::unknown(name, order);
-            if (system.is_algebraic(name) || is_delayed(name) ||
+            if (is_delayed(name) ||
                 std::ranges::any_of(system.starts, [&](const ode::start& s) { return same_form(s.of, of); })) {
                 continue;
             }

@@ -143,13 +143,14 @@ bool equation_system::has_parameter(const std::string& name) const {
     return parameter_of(name) != nullptr || set_of(name) != nullptr || is_open(name);
 }
 
-std::optional<int> equation_system::highest_derivative_of(const std::string& unknown) const {
-    std::optional<int> highest;
+std::map<std::string, int> equation_system::highest_derivatives() const {
+    std::map<std::string, int> highest;
     for (const equation& each : equations) {
         for (const expression* side : {&each.left, &each.right}) {
             each_leaf(*side, [&](const expression& leaf) {
-                if (leaf.kind() == node_kind::unknown && leaf.name() == unknown) {
-                    highest = std::max(highest.value_or(0), leaf.derivative());
+                if (leaf.kind() == node_kind::unknown) {
+                    int& of_unknown = highest[leaf.name()];
+                    of_unknown = std::max(of_unknown, leaf.derivative());
                 }
             });
         }
@@ -158,11 +159,16 @@ std::optional<int> equation_system::highest_derivative_of(const std::string& unk
 }
 
 int equation_system::order_of(const std::string& unknown) const {
-    const auto highest = highest_derivative_of(unknown);
-    return highest ? std::max(*highest, 1) : 0;
+    const auto highest = highest_derivatives();
+    const auto found = highest.find(unknown);
+    return found == highest.end() ? 0 : std::max(found->second, 1);
 }
 
-bool equation_system::is_algebraic(const std::string& unknown) const { return highest_derivative_of(unknown) == 0; }
+bool equation_system::is_algebraic(const std::string& unknown) const {
+    const auto highest = highest_derivatives();
+    const auto found = highest.find(unknown);
+    return found != highest.end() && found->second == 0;
+}
 
 std::string name_of_start(const expression& of, const expression& point) {
     return primed(of.name(), of.derivative()) + "(" + (point.fraction() ? point.fraction()->str() : "...") + ")";
