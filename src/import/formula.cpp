@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace libration::import {
@@ -14,7 +15,8 @@ namespace {
 
 class writer {
 public:
-    writer(const name_meaning& names, const std::string& time) : names_(names), time_(time) {}
+    writer(const name_meaning& names, const std::string& time, occurrence at)
+        : names_(names), time_(time), at_(std::move(at)) {}
 
     formula of(const ASTNode& e) const {
         switch (static_cast<int>(e.getType())) {
@@ -23,8 +25,9 @@ public:
             case AST_REAL_E:
                 return number(decimal_of(e.getMantissa()) + "e" + std::to_string(e.getExponent()), e.getMantissa() < 0);
             case AST_RATIONAL: return {fmt::format("{}/{}", e.getNumerator(), e.getDenominator()), binding::product};
-            case AST_NAME: return names_(e.getName());
-            case AST_NAME_TIME: return {time_};
+            case AST_NAME: return names_(e.getName(), at_);
+            case AST_NAME_TIME: return time();
+            case AST_FUNCTION_DELAY: return delayed(e);
             case AST_NAME_AVOGADRO: return number("6.02214179e23", false);
             case AST_CONSTANT_PI: return {"pi"};
             case AST_CONSTANT_E: return {"exp(1)"};
@@ -48,12 +51,29 @@ private:
         return {text, negative ? binding::sum : binding::name};
     }
 
-    formula child(const ASTNode& e, unsigned int i) const {
+    static const ASTNode& operand(const ASTNode& e, unsigned int i) {
         const ASTNode* const found = e.getChild(i);
         if (found == nullptr) {
             throw unsupported("a formula without an operand");
         }
-        return of(*found);
+        return *found;
+    }
+
+    formula child(const ASTNode& e, unsigned int i) const { return of(operand(e, i)); }
+
+    formula time() const {
+        if (at_.in_delay) {
+            throw unsupported("a delay that varies");
+        }
+        return at_.delay.empty() ? formula{time_} : formula{time_ + " - " + at_.delay, binding::sum};
+    }
+
+    // A delay within a delay is the sum of both.
+    formula delayed(const ASTNode& e) const {
+        const formula by = writer(names_, time_, {.in_delay = true}).of(operand(e, 1));
+        const std::string sum = at_.delay.empty() ? by.within(binding::product)
+                                                  : "(" + at_.delay + " + " + by.within(binding::product) + ")";
+        return writer(names_, time_, {.delay = sum}).of(operand(e, 0));
     }
 
     formula joined(const ASTNode& e, const std::string& sign, binding binds, const std::string& none) const {
@@ -159,12 +179,13 @@ private:
 
     const name_meaning& names_;
     const std::string& time_;
+    occurrence at_;
 };
 
 }  // namespace
 
-formula formula_of(const ASTNode& node, const name_meaning& names, const std::string& time) {
-    return writer(names, time).of(node);
+formula formula_of(const ASTNode& node, const name_meaning& names, const std::string& time, const occurrence& at) {
+    return writer(names, time, at).of(node);
 }
 
 relation relation_of(const ASTNode& condition) {

@@ -28,11 +28,21 @@ struct formula {
     std::string within(binding context) const { return binds < context ? "(" + text + ")" : text; }
 };
 
-/// The text of an identifier: a name, a number or an expression.
-using name_meaning = std::function<formula(const std::string& id)>;
+/// Where an identifier occurs in a formula.
+struct occurrence {
+    /// By how much its value is delayed, as a text; empty if it is not.
+    std::string delay = {};
+    /// Whether it is part of such a delay, which must be constant.
+    bool in_delay = false;
+};
 
-/// The formula, where time is `time`. Throws unsupported for what it cannot express.
-formula formula_of(const ASTNode& node, const name_meaning& names, const std::string& time = "t");
+/// The text of an identifier: a name, a number or an expression.
+using name_meaning = std::function<formula(const std::string& id, const occurrence& at)>;
+
+/// The formula, where time is `time`, and everything delayed as `at` states. Throws unsupported for what it cannot
+/// express.
+formula formula_of(const ASTNode& node, const name_meaning& names, const std::string& time = "t",
+                   const occurrence& at = {});
 
 /// A relation between two numbers: left - right crosses 0 upwards where it becomes true.
 struct relation {

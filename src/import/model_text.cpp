@@ -56,11 +56,20 @@ public:
             write_event(*model_.getEvent(i));
         }
         const std::string name = model_.isSetName() ? model_.getName() : model_.getId();
-        return fmt::format("# {}\n{}{}{}{}", name.empty() ? "A model in SBML" : name, equations_, starts_, definitions_,
-                           events_);
+        return fmt::format("# {}\n{}{}{}{}", name.empty() ? "A model in SBML" : name, equations_, initial_values(),
+                           definitions_, events_);
     }
 
 private:
+    // Of a delayed unknown it is the value at all earlier times.
+    std::string initial_values() const {
+        std::string text;
+        for (const auto& [name, value] : starts_) {
+            text += fmt::format("{}({}) = {}\n", name, delayed_.contains(name) ? "t <= 0" : "0", value);
+        }
+        return text;
+    }
+
     void add(const std::string& id, bool has_value, double value, const Species* species = nullptr) {
         order_.push_back(id);
         quantities_[id] = {.value = has_value ? std::optional(value) : std::nullopt, .species = species};
@@ -177,7 +186,7 @@ private:
             const Rule& each = *model_.getRule(i);
             if (each.isAlgebraic()) {
                 ++rules;
-                formula_of(*each.getMath(), [&](const std::string& id) {
+                formula_of(*each.getMath(), [&](const std::string& id, const occurrence&) {
                     const auto at = quantities_.find(id);
                     if (at != quantities_.end() && at->second.how == change::never && may_vary(id, at->second)) {
                         at->second.how = change::by_algebra;
@@ -211,14 +220,51 @@ private:
     }
 
     // A formula at any time.
-    formula now(const ASTNode& e) {
-        return formula_of(e, [this](const std::string& id) { return formula{names_.of(id)}; });
+    formula now(const ASTNode& e, const occurrence& at = {}) {
+        return formula_of(
+            e, [this](const std::string& id, const occurrence& where) { return meaning(id, where); }, "t", at);
     }
 
-    // A formula at the initial time.
+    formula meaning(const std::string& id, const occurrence& at) {
+        const auto found = quantities_.find(id);
+        if (at.in_delay && (found == quantities_.end() || found->second.how != change::never)) {
+            throw unsupported("a delay that varies");
+        }
+        return at.delay.empty() ? formula{names_.of(id)} : earlier(id, at);
+    }
+
+    // What a name stood for at an earlier time.
+    formula earlier(const std::string& id, const occurrence& at) {
+        const auto found = quantities_.find(id);
+        if (found == quantities_.end()) {
+            const Reaction* const reaction = model_.getReaction(id);
+            if (reaction == nullptr) {
+                throw unsupported("the name '" + id + "' with a delay");
+            }
+            return now(*reaction->getKineticLaw()->getMath(), at);
+        }
+        const quantity& of = found->second;
+        switch (of.how) {
+            case change::never: return {names_.of(id)};
+            case change::by_assignment: return now(*of.formula, at);
+            case change::by_reactions:
+                if (is_concentration(of) && !in_constant_volume(of)) {
+                    throw unsupported("a delayed concentration in a compartment that varies");
+                }
+                break;
+            case change::by_rate: break;
+            case change::by_events:
+            case change::by_algebra:
+                throw unsupported("a delay of '" + id + "', which events or algebraic rules determine");
+        }
+        delayed_.insert(names_.of(id));
+        return {fmt::format("{}(t - {})", names_.of(id), at.delay)};
+    }
+
+    // A formula at the initial time, before which everything is as it is then.
     formula at_start(const ASTNode& e) {
         return formula_of(
-            e, [this](const std::string& id) { return initial(id); }, "0");
+            e, [this](const std::string& id, const occurrence&) { return initial(id); }, "0");
     }
 
     // The initial value in terms of constants of the model.
@@ -294,7 +340,7 @@ private:
 
     void write_unknown(const std::string& name, const std::string& slope, const std::string& start) {
         equations_ += fmt::format("{}' = {}\n", name, slope);
-        starts_ += fmt::format("{}(0) = {}\n", name, start);
+        starts_.emplace_back(name, start);
     }
 
     void write_species(const std::string& id, const quantity& of) {
@@ -340,8 +386,10 @@ private:
     problem_names names_;
     std::vector<std::string> order_;  // of the quantities, as in the model
     std::map<std::string, quantity> quantities_;
-    std::set<std::string> open_;  // initial values being computed
-    std::string equations_, starts_, definitions_, events_;
+    std::set<std::string> open_;     // initial values being computed
+    std::set<std::string> delayed_;  // the unknowns with delays
+    std::vector<std::pair<std::string, std::string>> starts_;
+    std::string equations_, definitions_, events_;
 };
 
 }  // namespace

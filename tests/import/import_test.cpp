@@ -112,6 +112,43 @@ TEST_CASE("values of a test suite are compared with proved ones", "[import]") {
     CHECK(second == "00002  beyond its tolerance  A(2) = 0.9098, proved 0.909795989568950");
 }
 
+// x' = -x(t - 1) and x = 1 before: x(2) = -1/2. Reactions and assignments are delayed by what they stand for.
+TEST_CASE("delays of a model are those of a problem", "[import]") {
+    const std::string delay =
+        R"(<csymbol encoding="text" definitionURL="http://www.sbml.org/sbml/symbols/delay">delay</csymbol>)";
+    const std::string time =
+        R"(<csymbol encoding="text" definitionURL="http://www.sbml.org/sbml/symbols/time">t</csymbol>)";
+    const auto delayed = [&](const std::string& of, const std::string& by) {
+        return "<apply>" + delay + of + by + "</apply>";
+    };
+    const auto rule = [](const std::string& kind, const std::string& of, const std::string& formula) {
+        return "<" + kind + " variable=\"" + of + R"("><math xmlns="http://www.w3.org/1998/Math/MathML">)" + formula +
+               "</math></" + kind + ">";
+    };
+    const std::string parameters =
+        R"(<listOfParameters><parameter id="x" value="1" constant="false"/><parameter id="z" value="2" constant="false"/>)"
+        R"(<parameter id="u" value="0" constant="false"/>)"
+        R"(<parameter id="tau" value="1" constant="true"/><parameter id="y" constant="false"/></listOfParameters>)";
+    const temporary_folder folder;
+    file_with(folder,
+              parameters + "<listOfRules>" +
+                  rule("rateRule", "x", "<apply><minus/>" + delayed("<ci>x</ci>", "<ci>tau</ci>") + "</apply>") +
+                  rule("assignmentRule", "y", "<apply><times/><ci>x</ci>" + time + "</apply>") +
+                  rule("rateRule", "z", delayed(delayed("<ci>y</ci>", "<cn>0.5</cn>"), "<ci>tau</ci>")) +
+                  rule("rateRule", "u", "<ci>y</ci>") + "</listOfRules>");
+    const std::string text = output_of({"import", (folder.path() / "model.xml").string()});
+    CHECK(text ==
+          "# A model in SBML\nx' = -x(t - tau)\nz' = x(t - (tau + 0.5))*(t - (tau + 0.5))\nu' = y\nx(t <= 0) = 1\n"
+          "z(0) = 2\nu(0) = 0\ntau = 1\ny = x*t\n");
+    const std::string values = output_of({"reference", "--problem", text, "--time", "2", "--digits", "12"});
+    CHECK(values.find("x         -0.500000000000\n") != std::string::npos);
+    CHECK(values.find("z         0.958333333333\n") != std::string::npos);  // 2 - 9/8 + 1/8 - 1/24
+    CHECK(values.find("u         -0.375000000000\n") != std::string::npos);
+
+    file_with(folder, with_rate(delayed("<ci>x</ci>", "<ci>x</ci>")));
+    check_refused({"import", "model.xml"}, {"contains a delay that varies, which is not supported"}, folder);
+}
+
 TEST_CASE("what a problem cannot express is reported", "[import]") {
     const temporary_folder folder;
     check_refused({"import", "none.xml"}, {"FILE 'none.xml' is not read"}, folder);
