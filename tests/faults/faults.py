@@ -758,6 +758,13 @@ FAULTS = [
         ("coefficients that are not constant taken for 0",
          "e.kind() == node_kind::constant ? std::optional(e.constant()) : std::nullopt",
          "std::optional(e.kind() == node_kind::constant ? e.constant() : number(rational(0)))"),
+        ("the rest of the series of a linear system forgotten", "if (moving[i]) {", "if (false) {"),
+        ("the rest of that series forgotten where the first term is 0", "result[i] = true;\n                more = true;",
+         "more = false;"),
+        ("the rest of that series by its first term alone", "term * q / magnitude::difference_below(magnitude(1U), q)",
+         "term * q.shifted(-6)"),
+        ("the norm of a matrix without the elapsed time", "sum += magnitude(constant_value<ball>::of(each.value) * gone);",
+         "sum += magnitude(constant_value<ball>::of(each.value));"),
     ),
     *in_file(
         "src/libration/ode/implicit/consistent_starts.cpp", ["ode/algebraic_equations_test.cpp"],

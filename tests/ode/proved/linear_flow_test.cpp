@@ -1,6 +1,7 @@
 // Linear systems with constant coefficients by the exponential of their matrix, against closed forms and Taylor series.
 #include <catch2/catch.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "libration/ode/parse.hpp"
@@ -73,6 +74,106 @@ TEST_CASE("oscillations have values at any time, and growth as long as its size 
     const auto growth = linear_flow::of(system_of("y' = y; y(0) = 1"));
     CHECK(growth->at(parse_constant("1e6").constant(), bits));
     CHECK(!growth->at(far, bits));
+}
+
+namespace {
+
+std::string named(const char* name, int i) { return name + std::to_string(i); }
+
+// x1' = rate x1, x2' = rate x2, ..: as many unknowns and so few entries that the series of the vector is used.
+std::string independent_unknowns(int count, const std::string& rate) {
+    std::string text;
+    for (int i = 1; i <= count; ++i) {
+        const std::string x = named("x", i);
+        text += x + "' = (" + rate + ")*" + x + "; " + x + "(0) = " + std::to_string(i) + "; ";
+    }
+    return text;
+}
+
+// u_i' = u_(i-1) - 2 u_i + u_(i+1), u_0 = u_(n+1) = 0, u_m(0) = 1 alone: u_i(t) = 2/(n + 1) sum_k sin(i k p) sin(m k p)
+// exp(-4 sin(k p/2)^2 t), p = pi/(n + 1).
+std::string diffusion(int count, int middle) {
+    std::string text;
+    for (int i = 1; i <= count; ++i) {
+        const std::string u = named("u", i);
+        text += u + "' = " + (i > 1 ? named("u", i - 1) : "0") + " - 2*" + u +
+                (i < count ? " + " + named("u", i + 1) : "") + "; " + u + "(0) = " + (i == middle ? "1" : "0") + "; ";
+    }
+    return text;
+}
+
+ball diffused(int count, int middle, int i, const ball& t) {
+    const ball unit = pi<ball>() / static_cast<long>(count + 1);
+    ball sum(0);
+    for (long k = 1; k <= count; ++k) {
+        const ball half = sin(unit * k / 2L);
+        sum += sin(unit * k * static_cast<long>(i)) * sin(unit * k * static_cast<long>(middle)) *
+               exp(half * half * t * -4L);
+    }
+    return sum * 2L / static_cast<long>(count + 1);
+}
+
+}  // namespace
+
+// The rest of the series is between 1/40 of the last bit and all of it, depending on the number of bits.
+TEST_CASE("the series of a vector encloses exponentials at any number of bits", "[ode][proved]") {
+    for (const char* rate : {"1/3", "-2", "7", "-7/2"}) {
+        const auto flow = linear_flow::of(system_of(independent_unknowns(25, rate)));
+        REQUIRE(flow);
+        for (long some = 90; some < 120; ++some) {
+            CAPTURE(rate, some);
+            const auto state = flow->at(number(rational(3, 2)), some);
+            REQUIRE(state);
+            const precision_scope scope(100);
+            const ball factor = exp(ball_of(rate) * 3L / 2L);
+            for (std::size_t i = 0; i < state->size(); ++i) {
+                CHECK(contains_zero((*state)[i] - factor * static_cast<long>(i + 1)));
+                CHECK(arb_rel_accuracy_bits((*state)[i].handle()) >= some);
+            }
+        }
+    }
+}
+
+TEST_CASE("the series of a vector has the closed form of diffusion along a chain", "[ode][proved]") {
+    const int count = 40;
+    const int middle = 7;
+    const auto flow = linear_flow::of(system_of(diffusion(count, middle)));
+    REQUIRE(flow);
+    const precision_scope scope(100);
+    for (const long t : {0L, 3L, 20L, -2L}) {
+        const auto state = flow->at(number(rational(t)), bits);
+        CAPTURE(t);
+        REQUIRE(state);
+        for (int i = 1; i <= count; ++i) {
+            const ball& found = (*state)[static_cast<std::size_t>(i - 1)];
+            CHECK(contains_zero(found - diffused(count, middle, i, ball(t))));
+            CHECK((t == 0 || arb_rel_accuracy_bits(found.handle()) >= bits));
+        }
+    }
+}
+
+// x1' = 1, x_(i+1)' = x_i: t^i/i!, and what is not reached remains exactly 0 or constant.
+TEST_CASE("the series of a vector ends where its terms do, and leaves constants exact", "[ode][proved]") {
+    std::string text = "x1' = 1; x1(0) = 0; rest' = 0; rest(0) = 0; other' = rest; other(0) = 5; ";
+    for (int i = 2; i <= 25; ++i) {
+        const std::string x = named("x", i);
+        text += x + "' = " + named("x", i - 1) + "; " + x + "(0) = 0; ";
+    }
+    const auto flow = linear_flow::of(system_of(text));
+    REQUIRE(flow);
+    const auto state = flow->at(number(rational(3)), bits);
+    REQUIRE(state);
+    const precision_scope scope(100);
+    ball expected(1);
+    for (const auto& [name, place] : {std::pair("x1", 0), std::pair("rest", 1), std::pair("other", 2)}) {
+        CAPTURE(name);
+        const long value = place == 0 ? 3 : place == 1 ? 0 : 5;
+        CHECK(arb_equal_si((*state)[static_cast<std::size_t>(place)].handle(), value) != 0);
+    }
+    for (std::size_t i = 1; i <= 25; ++i) {
+        expected = expected * 3L / static_cast<long>(i);
+        CHECK(encloses((*state)[i == 1 ? 0 : i + 1], expected));
+    }
 }
 
 TEST_CASE("both routes agree on linear problems of the DETEST sets", "[ode][proved]") {

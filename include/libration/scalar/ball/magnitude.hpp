@@ -90,6 +90,12 @@ public:
         mag_div_ui(result.value_, a.value_, n);
         return result;
     }
+    /// At most a - b, and at least 0.
+    static magnitude difference_below(const magnitude& a, const magnitude& b) {
+        magnitude result;
+        mag_sub_lower(result.value_, a.value_, b.value_);
+        return result;
+    }
     friend magnitude pow(const magnitude& a, unsigned long n) {
         magnitude result;
         mag_pow_ui(result.value_, a.value_, n);
