@@ -67,7 +67,7 @@ TEST_CASE("bounces that accumulate end the solution with one line", "[problem][h
     CHECK_FALSE(found.rows[0].empty());
     CHECK(found.rows[1].empty());
     REQUIRE(found.missing);
-    CHECK_THAT(found.missing->what(), Catch::Contains("time '28.0000000000' is not reached: after ") &&
+    CHECK_THAT(found.missing->what(), Catch::Contains("time '28' is not reached: after ") &&
                                           Catch::Contains("events, the last one proved at time 27.1") &&
                                           Catch::Contains("accumulate"));
 }
@@ -101,7 +101,7 @@ TEST_CASE("an event can end the solution", "[problem][hybrid]") {
     CHECK(found.at(0, "y") == "0.75000000000000000000");
     REQUIRE(found.missing);
     CHECK_THAT(found.missing->what(),
-               Catch::Contains("time '3.00000000000' is not reached") &&
+               Catch::Contains("time '3' is not reached") &&
                    Catch::Contains("after one event, at time 1.00000000000, `when y = 0 down` ends the solution"));
     CHECK(y->events("y = 0", 1, proved_digits(20)).at(0, "y'") == "-2.0000000000000000000");
 }
@@ -187,7 +187,7 @@ TEST_CASE("a number of a bounce that is exactly 0 does not lose the others", "[p
 TEST_CASE("sliding and tangential solutions end with the surface and the time", "[problem][hybrid]") {
     const std::string friction = "x' = -sign(x); x(0) = 1";
     CHECK(value_at(friction, "1/2", "x") == "0.500000000000000000000000000000");
-    CHECK_THAT(missing_of(friction, "2"), Catch::Contains("time '2.00000000000' is not reached") &&
+    CHECK_THAT(missing_of(friction, "2"), Catch::Contains("time '2' is not reached") &&
                                               Catch::Contains("slides along the surface of `sign(x)`"));
     const std::string touching = "y' = 2*(t - 1); x' = sign(y); y(0) = 1; x(0) = 0";
     CHECK_THAT(missing_of(touching, "2"), Catch::Contains("`sign(y)` is not decided") && Catch::Contains("touches"));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,13 @@ inline std::string proved_reach_text(const ball& reached, bool forward) {
     return bound == 0 ? "0" : parts_of(bound, 12, forward ? MPFR_RNDD : MPFR_RNDU).text();
 }
 
+/// A time as a decimal of at most 12 digits, the exact one if it is that short.
 inline std::string text_of_time(const number& time) {
+    const auto fraction = time.fraction();
+    const auto exact = fraction ? to_finite_decimal(*fraction, 12) : std::nullopt;
+    if (exact) {
+        return *exact;
+    }
     const precision_scope scope(20);
     return to_decimal(constant_value<mpfr>::of(time), 12);
 }
