@@ -45,7 +45,7 @@ public:
 private:
     void clear();
     bool due(const tape_step& step, int n) const;
-    R multiple(const tape_step& s, const R& a) const;
+    void set_multiple(const tape_step& s, const R& a, R& result) const;
     void linear_step(const tape_step& s, int index, int n);
     void function_step(const tape_step& s, int index, int n);
     void set_centre(const tape_step& s, int index);
@@ -161,7 +161,7 @@ void step_arrays<R>::linear_step(const tape_step& s, int index, int n) {
             return;
         case operation::by_variable: result = n == 0 ? R(point_ * a[0]) : R(point_ * a[n] + a[n - 1]); return;
         case operation::delayed: result = n < s.shift ? R(0) : a[n - s.shift]; return;
-        case operation::scaled: result = multiple(s, a[n]); return;
+        case operation::scaled: set_multiple(s, a[n], result); return;
         case operation::state:
         case operation::product:
         case operation::square:
@@ -175,13 +175,21 @@ void step_arrays<R>::linear_step(const tape_step& s, int index, int n) {
     }
 }
 
+// In place, which saves allocations.
 template <field R>
-R step_arrays<R>::multiple(const tape_step& s, const R& a) const {
+void step_arrays<R>::set_multiple(const tape_step& s, const R& a, R& result) const {
     if (s.constant >= 0) {
-        return R(a * constants_[static_cast<std::size_t>(s.constant)]);
+        result = R(a * constants_[static_cast<std::size_t>(s.constant)]);
+        return;
     }
-    const R result = s.numerator == 1 ? a : s.numerator == -1 ? R(-a) : R(a * s.numerator);
-    return s.denominator == 1 ? result : R(result / s.denominator);
+    if (s.numerator == 1) {
+        result = a;
+    } else {
+        result = s.numerator == -1 ? R(-a) : R(a * s.numerator);
+    }
+    if (s.denominator != 1) {
+        result = R(result / s.denominator);
+    }
 }
 
 // f(x_0), or the exact value at the initial point.
