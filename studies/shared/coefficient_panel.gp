@@ -27,7 +27,8 @@ if (part eq 'ratios') {
     slope = fit_slope(p_left, limit, fit_exponent)
     half_width = known_radius ? fit_uncertainty(p_left, limit, fit_radius, fit_error) : 0
     limit_in_words = !known_radius ? '' : (of_pair ? p_left == 1 ? 'intercept 1/R = ' : sprintf('intercept R^{−%d} = ', p_left) : 'intercept ').in_powers(printed(sprintf('%%.%dg', smaller(10, digits_beside(fit_radius, fit_error))), sprintf('%.15g', limit)))
-    set title in_front.(of_pair ? 'generalised ratios of a pair (Mercer-Roberts)' : 'ratios of coefficients (Domb-Sykes)')."\n{/*0.85 ".(known_radius ? (fitted_by eq 'verdict' ? 'verdict: ' : '').fit_in_words(fit_radius, fit_error, fit_exponent).', '.limit_in_words : 'no radius is found').'}' offset 0, -0.4
+    set title in_front.(of_pair ? 'generalised ratios of a pair (Mercer-Roberts)' : 'ratios of coefficients (Domb-Sykes)')."\n{/*0.85 ".(known_radius ? (fitted_by eq 'verdict' ? 'verdict: ' : '').fit_in_words(fit_radius, fit_error, fit_exponent).'}'."\n{/*0.85 ".limit_in_words : 'no radius is found').'}' offset 0, -0.4
+    set tmargin 4.8
     set ylabel of_pair ? 'B_n' : sprintf('a_n/a_{n−%d}', p_left)
     near_limit = known_radius ? sprintf('%s && $%d * %g > 0 && $%d / %.15g < 3', '$1 >= 6', column_drawn, limit, column_drawn, limit) : late
     low = least(ratios, sprintf('%d', column_drawn), near_limit, -1); high = greatest(ratios, sprintf('%d', column_drawn), near_limit, 1)
@@ -37,6 +38,7 @@ if (part eq 'ratios') {
     line_drawn = "limit * (1 + slope * x) with lines lw 1.5 lc rgb '#888888', "
     intercept_drawn = ", '+' using (0):(limit):(half_width) every ::0::0 with yerrorbars pt 7 ps 1 lw 2 lc rgb shade[4]"
     eval 'plot '.(known_radius && strlen(fit_exponent) ? line_drawn : '').points_drawn.(known_radius ? intercept_drawn : '')
+    set tmargin 3.6
 } else { if (part eq 'roots') {
     set title in_front.'roots of coefficients: they tend to 1/R' offset 0, -0.4
     set ylabel 'n-th root'
