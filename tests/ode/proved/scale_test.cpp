@@ -213,7 +213,7 @@ TEST_CASE("a time beyond the end leaves those before it", "[ode][proved]") {
         part_of("y' = y^2; z' = z; y(0) = 1; z(0) = 1",
                 {number(rational(2)), number(rational(1, 2)), number(rational(-1)), number(rational(3))}, 15);
     REQUIRE(part.missing.has_value());
-    CHECK_THAT(part.missing->what(), Catch::Contains("time '2.0") && Catch::Contains("proved to exist up to 0.99999"));
+    CHECK_THAT(part.missing->what(), Catch::Contains("time '2' ") && Catch::Contains("proved to exist up to 0.99999"));
     // z does not depend on y and is e^t at all times.
     for (const std::size_t beyond : {std::size_t{0}, std::size_t{3}}) {
         REQUIRE(part.states[beyond].size() == 2);
