@@ -264,6 +264,7 @@ std::vector<ball> linear_flow::product(const std::vector<std::vector<ball>>& ent
 // The unknowns that are not exactly 0 in every term.
 std::vector<bool> linear_flow::changing(const std::vector<ball>& first_term) const {
     std::vector<bool> result;
+    result.reserve(first_term.size());
     for (const ball& each : first_term) {
         result.push_back(arb_is_zero(each.handle()) == 0);
     }
