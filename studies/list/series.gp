@@ -24,7 +24,7 @@ do for [kind in terminals] {
         drawn = part eq 'poles' ? rows_in(poles) > 0 : part eq 'roots' || count_of(ratios, '$7 != "" && v($7) != 0') > 0
         if (drawn) {
             eval use_terminal(kind, target.'/'.(part eq 'ratios' ? 'domb_sykes' : part), part eq 'poles' ? 700 : 720, part eq 'poles' ? 580 : 480)
-            set lmargin 12; set rmargin 3; set tmargin 3.8; set bmargin 3.6
+            set lmargin 12; set rmargin 3; set bmargin 3.6
             load scripts.'/shared/coefficient_panel.gp'
             unset output
             eval restart

@@ -22,7 +22,7 @@ foot = 10
 do for [kind in terminals] {
     eval figure_of(kind, figure)
     eval heading(figure_title, figure_note)
-    set lmargin 12; set rmargin 3; set tmargin 3.6; set bmargin 3.6
+    set lmargin 12; set rmargin 3; set bmargin 3.6
     do for [i=1:n] {
         ratios = data.sprintf('/ratios_%d.csv', i)
         poles = data.sprintf('/poles_%d.csv', i)

@@ -21,6 +21,7 @@ late = '$1 >= 4'
 set xrange [0:0.26]
 set xlabel '1/n'
 unset key
+set tmargin part eq 'ratios' ? 4.8 : 3.6
 if (part eq 'ratios') {
     column_drawn = of_pair ? 8 : 7
     limit = known_radius ? (of_pair || level > 0 ? 1 : -1) * number(fit_radius) ** -p_left : 0
@@ -28,7 +29,6 @@ if (part eq 'ratios') {
     half_width = known_radius ? fit_uncertainty(p_left, limit, fit_radius, fit_error) : 0
     limit_in_words = !known_radius ? '' : (of_pair ? p_left == 1 ? 'intercept 1/R = ' : sprintf('intercept R^{−%d} = ', p_left) : 'intercept ').in_powers(printed(sprintf('%%.%dg', smaller(10, digits_beside(fit_radius, fit_error))), sprintf('%.15g', limit)))
     set title in_front.(of_pair ? 'generalised ratios of a pair (Mercer-Roberts)' : 'ratios of coefficients (Domb-Sykes)')."\n{/*0.85 ".(known_radius ? (fitted_by eq 'verdict' ? 'verdict: ' : '').fit_in_words(fit_radius, fit_error, fit_exponent).'}'."\n{/*0.85 ".limit_in_words : 'no radius is found').'}' offset 0, -0.4
-    set tmargin 4.8
     set ylabel of_pair ? 'B_n' : sprintf('a_n/a_{n−%d}', p_left)
     near_limit = known_radius ? sprintf('%s && $%d * %g > 0 && $%d / %.15g < 3', '$1 >= 6', column_drawn, limit, column_drawn, limit) : late
     low = least(ratios, sprintf('%d', column_drawn), near_limit, -1); high = greatest(ratios, sprintf('%d', column_drawn), near_limit, 1)
@@ -38,7 +38,6 @@ if (part eq 'ratios') {
     line_drawn = "limit * (1 + slope * x) with lines lw 1.5 lc rgb '#888888', "
     intercept_drawn = ", '+' using (0):(limit):(half_width) every ::0::0 with yerrorbars pt 7 ps 1 lw 2 lc rgb shade[4]"
     eval 'plot '.(known_radius && strlen(fit_exponent) ? line_drawn : '').points_drawn.(known_radius ? intercept_drawn : '')
-    set tmargin 3.6
 } else { if (part eq 'roots') {
     set title in_front.'roots of coefficients: they tend to 1/R' offset 0, -0.4
     set ylabel 'n-th root'

@@ -1,7 +1,6 @@
 // Linear systems with constant coefficients by the exponential of their matrix, against closed forms and Taylor series.
 #include <catch2/catch.hpp>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "libration/ode/parse.hpp"
@@ -117,7 +116,7 @@ ball diffused(int count, int middle, int i, const ball& t) {
 
 // The rest of the series is between 1/40 of the last bit and all of it, depending on the number of bits.
 TEST_CASE("the series of a vector encloses exponentials at any number of bits", "[ode][proved]") {
-    for (const char* rate : {"1/3", "-2", "7", "-7/2"}) {
+    for (const char* rate : {"1/3", "-2", "7", "-7/2", "1 - 2^(-349)", "2^(-100) - 1"}) {
         const auto flow = linear_flow::of(system_of(independent_unknowns(25, rate)));
         REQUIRE(flow);
         for (long some = 90; some < 120; ++some) {
@@ -154,7 +153,7 @@ TEST_CASE("the series of a vector has the closed form of diffusion along a chain
 
 // x1' = 1, x_(i+1)' = x_i: t^i/i!, and what is not reached remains exactly 0 or constant.
 TEST_CASE("the series of a vector ends where its terms do, and leaves constants exact", "[ode][proved]") {
-    std::string text = "x1' = 1; x1(0) = 0; rest' = 0; rest(0) = 0; other' = rest; other(0) = 5; ";
+    std::string text = "x1' = 1; x1(0) = 0; rest' = a*x1; rest(0) = 0; other' = rest; other(0) = 5; a = 0; ";
     for (int i = 2; i <= 25; ++i) {
         const std::string x = named("x", i);
         text += x + "' = " + named("x", i - 1) + "; " + x + "(0) = 0; ";
@@ -165,11 +164,9 @@ TEST_CASE("the series of a vector ends where its terms do, and leaves constants 
     REQUIRE(state);
     const precision_scope scope(100);
     ball expected(1);
-    for (const auto& [name, place] : {std::pair("x1", 0), std::pair("rest", 1), std::pair("other", 2)}) {
-        CAPTURE(name);
-        const long value = place == 0 ? 3 : place == 1 ? 0 : 5;
-        CHECK(arb_equal_si((*state)[static_cast<std::size_t>(place)].handle(), value) != 0);
-    }
+    CHECK(arb_equal_si((*state)[0].handle(), 3) != 0);
+    CHECK(arb_is_zero((*state)[1].handle()) != 0);
+    CHECK(arb_equal_si((*state)[2].handle(), 5) != 0);
     for (std::size_t i = 1; i <= 25; ++i) {
         expected = expected * 3L / static_cast<long>(i);
         CHECK(encloses((*state)[i == 1 ? 0 : i + 1], expected));

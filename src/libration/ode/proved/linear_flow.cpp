@@ -122,7 +122,9 @@ bool linear_flow::read(const explicit_system& system) {
             if (!value) {
                 return false;
             }
-            row.push_back({columns.at({name, derivative}), *value});
+            if (!is_zero(*value)) {
+                row.push_back({columns.at({name, derivative}), *value});
+            }
         }
         const auto rest = value_at_zero(right);
         if (!rest) {
