@@ -8,8 +8,11 @@ fit_at(p, r, re, im, count) = (fit_turns = p * atan2(im, re) / pi, abs(fit_turns
 fit_slope(p, level, exponent) = level == level && strlen(exponent) ? -p * (number(exponent) + 1) : NaN
 fit_uncertainty(p, level, r, uncertainty) = level == level && strlen(uncertainty) ? abs(level) * p * number(uncertainty) / number(r) : 0
 # What the panel states about it.
-digits_beside(r, u) = strlen(u) && number(u) > 0 && number(r) > 0 ? int(larger(2, smaller(15, floor(log10(number(r) / number(u))) + 2))) : 10
-with_uncertainty(r, u) = 'R = '.in_powers(printed(sprintf('%%.%dg', digits_beside(r, u)), r)).(strlen(u) ? ' ± '.in_powers(printed('%.2g', u)) : '')
+digits_in_all(r, u) = strlen(u) && number(u) > 0 && number(r) > 0 ? floor(log10(number(r) / number(u))) + 2 : 10
+digits_beside(r, u) = int(larger(2, smaller(15, digits_in_all(r, u))))
+# Rounded to fewer digits than the uncertainty leaves, R is not within it.
+is_rounded(r, u) = digits_in_all(r, u) > 15
+with_uncertainty(r, u) = (is_rounded(r, u) ? 'R ≈ ' : 'R = ').in_powers(printed(sprintf('%%.%dg', digits_beside(r, u)), r)).(strlen(u) ? (is_rounded(r, u) ? ', uncertainty ' : ' ± ').in_powers(printed('%.2g', u)) : '')
 fit_in_words(r, u, exponent) = strlen(r) == 0 ? 'no radius is found' : with_uncertainty(r, u).(strlen(exponent) ? ', exponent '.in_powers(printed('%.6g', exponent)) : '')
 intercept_in_words(level, r, u) = strlen(r) == 0 ? ' ' : level == level ? 'intercept '.in_powers(printed(sprintf('%%.%dg', smaller(10, digits_beside(r, u))), sprintf('%.15g', level))) : 'a pair is nearest: the ratios have no intercept'
 # The range of the ratios in column c: of all of them, with margins, or around `around`, the largest R^-p of a pair, as

@@ -127,9 +127,12 @@ TEST_CASE("the line of a Domb-Sykes plot follows from a verdict", "[sweep][figur
         "'1')\n"
         "print fit_of(3, '2', '1', '1.7320508075688772', '3')\nprint fit_of(1, '2', '0', '2', '2') == 1\n"
         "print fit_of(1, '', '', '', '') == 1\nprint fit_slope(3, -0.125, '-2')\n"
-        "print fit_uncertainty(1, 0.5, '2', '1e-6')\nprint with_uncertainty('3.9402114990', '0.00000597')\n");
+        "print fit_uncertainty(1, 0.5, '2', '1e-6')\nprint with_uncertainty('3.9402114990', '0.00000597')\n"
+        "print with_uncertainty('1.57079632679489661923', '1.9e-19')\n");
     CHECK(script.code() == 0);
-    CHECK(script.said() == "0.5\n-0.5\n-0.125\n0\n0\n3.0\n2.5e-07\nR = 3.940211 ± 6·10^{−6}\n");
+    CHECK(script.said() ==
+          "0.5\n-0.5\n-0.125\n0\n0\n3.0\n2.5e-07\nR = 3.940211 ± 6·10^{−6}\n"
+          "R ≈ 1.5707963267949, uncertainty 1.9·10^{−19}\n");
 }
 
 TEST_CASE("points that cannot be written end a script of figures", "[sweep][figures]") {
