@@ -34,6 +34,9 @@ SINGULAR = "ode/proved/singular_step_test.cpp"
 ROUTES = "ode/proved/proof_route_test.cpp"
 ROOTS = "ode/proved/root_time_test.cpp"
 SETS = "ode/proved/sets/solution_sets_test.cpp"
+TAYLOR_MODELS = "ode/proved/sets/models/taylor_model_test.cpp"
+MODEL_MARCH = "ode/proved/sets/models/model_march_test.cpp"
+MODELS = "src/libration/ode/proved/sets/models/"
 SET_EVENTS = "ode/proved/sets/set_events_test.cpp"
 SYSTEMS = "ode/singularity/systems_test.cpp"
 EVENTS = "ode/proved/proved_events_test.cpp"
@@ -382,7 +385,7 @@ FAULTS = [
         ("the change of a product without its mixed term", " + left() * right());", ");"),
         ("attempts counted while a defect moves along a chain", "> nonzero(s) ? 0 : 1", "> nonzero(s) ? 1 : 1"),
         ("a square changed once", "left() * (norm(s.left) + norm(s.left) + left())", "left() * (norm(s.left) + left())"),
-        ("the last coefficient forgotten", "case operation::state: return size_of(a[terms_]) * powers_[terms_];",
+        ("the last coefficient forgotten", "case operation::state: return a[terms_] * powers_[terms_];",
          "case operation::state: return magnitude();"),
         ("a bound that is not checked", "if (std::ranges::equal(next, s, [](const magnitude& a, const magnitude& b) { return a <= b; })) {",
          "if (attempt == 3) {"),
@@ -471,7 +474,7 @@ FAULTS = [
         "src/libration/ode/proved/sets/set_run.cpp", [SETS],
         ("a piece of a span left out", "enclose_piece(step, middle, last, index, halvings - 1);", ""),
         ("the last piece of a step left out", "enclose_piece(step, from, last, index, most_halvings);", ""),
-        ("derivatives of the last piece alone", "hull(kept->derivatives[k][j], derivatives[k][j])", "derivatives[k][j]"),
+        ("derivatives of the last piece alone", "hull(kept->derivatives[k][j], image.derivatives[k][j])", "image.derivatives[k][j]"),
         ("a turning point between the ends of a piece", "known_sign(slopes[place]) != 0", "place < slopes.size()"),
     ),
     *in_file(
@@ -492,6 +495,31 @@ FAULTS = [
         "src/libration/ode/proved/events/event_search.cpp", [SET_EVENTS],
         ("derivatives at the first piece of an event alone",
          "event.flow[i][j] = hull(event.flow[i][j], parts_[k].flow[i][j]);", ""),
+    ),
+    *in_file(
+        MODELS + "taylor_model.cpp", [TAYLOR_MODELS],
+        ("the terms of a product beyond the degree", "                result.rest_.add_product(left.norms_[d], right.norms_[e]);\n", ""),
+        ("a product without the rest of a factor", "        result.rest_.add_product(left.norm(), right.rest_);\n", ""),
+        ("a product without its rounding errors", "    result.add_rounding(norms, roundings);\n", ""),
+        ("products below the range of double", "        rest_ += magnitude::of(roundings, 0) * magnitude::of(in_->size(), log2_of_underflow);\n", ""),
+        ("a constant taken for a double", "    return {near, magnitude(distance)};", "    return {near, magnitude()};"),
+        ("a square without its middle", "        middle += even ? coefficients_[i] / 2 : 0;\n", ""),
+        ("the degrees that truncation leaves out", "        result.rest_ += norm(d);\n", ""),
+        ("a pass too few on half of a box", "pass + 1 < norms_.size(); ++pass", "pass + 2 < norms_.size(); ++pass"),
+    ),
+    *in_file(
+        MODELS + "model_range.cpp", [TAYLOR_MODELS],
+        ("one half of a box", "for (const bool upper : {false, true}) {\n            taylor_model", "for (const bool upper : {true}) {\n            taylor_model"),
+    ),
+    *in_file(
+        MODELS + "lifted_models.cpp", [TAYLOR_MODELS],
+        ("an added unknown without the tail of its path", "            state[i].add_to_rest(tail->at(i, magnitude(length)));\n", ""),
+    ),
+    *in_file(
+        MODELS + "model_march.cpp", [MODEL_MARCH],
+        ("the tail of a step of models forgotten", "    result.add_to_rest(tail_->at(i, magnitude(distance)));\n", ""),
+        ("a derivative over the models without their errors", "        state.back().add_to_rest(set_.reach(i));\n", ""),
+        ("the errors of a step of models forgotten", "        added.push_back(model.rest());\n", "        added.emplace_back();\n"),
     ),
     *in_file(
         "src/libration/ode/proved/sets/divided_box.cpp", [SETS],

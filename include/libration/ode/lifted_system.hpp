@@ -32,6 +32,8 @@ struct lifted_system {
     std::vector<gradient> gradients;
     /// leaves[k] is the leaf of unknown k.
     std::vector<expression> leaves;
+    /// The same derivatives as polynomials in all unknowns; empty for paths.
+    std::vector<gradient> polynomial_gradients = {};
 };
 
 /// Throws error if the initial point is singular: the system has no polynomial form about it.

@@ -57,11 +57,20 @@ public:
             all.push_back(slope_of(k));
         }
         std::vector<gradient> gradients;
-        for (const expression& each : added_) {
-            gradients.push_back(gradient_of(each, leaves_));
+        std::vector<gradient> polynomial_gradients;
+        for (std::size_t k = 0; k < added_.size(); ++k) {
+            gradients.push_back(gradient_of(added_[k], leaves_));
+            auto& row = polynomial_gradients.emplace_back(gradient_of(argument_of(added_[k]), leaves_));
+            for (auto& [place, by] : row) {
+                by = rate(added_[k], leaves_[given + k]) * by;
+            }
         }
-        return {explicit_system::first_order(leaves_, std::move(all), of_.point()), given, std::move(added_),
-                std::move(gradients), leaves_};
+        return {explicit_system::first_order(leaves_, std::move(all), of_.point()),
+                given,
+                std::move(added_),
+                std::move(gradients),
+                leaves_,
+                std::move(polynomial_gradients)};
     }
 
 private:
@@ -168,18 +177,27 @@ private:
         return sum;
     }
 
+    static const expression& argument_of(const expression& w) {
+        return w.kind() == node_kind::quotient ? w.right() : w.left();
+    }
+
     expression slope(const expression& w, const expression& leaf) {
+        const expression du = slope_of(argument_of(w));
+        return w.kind() == node_kind::quotient ? -(leaf * leaf * du) : rate(w, leaf) * du;
+    }
+
+    // The derivative of a function, whose leaf is given, with respect to its argument, in leaves.
+    expression rate(const expression& w, const expression& leaf) {
+        const expression& u = argument_of(w);
         if (w.kind() == node_kind::quotient) {
-            return -(leaf * leaf * slope_of(w.right()));
+            return -(leaf * leaf);
         }
-        const expression& u = w.left();
-        const expression du = slope_of(u);
         if (w.kind() == node_kind::power) {
             const auto r = w.right().fraction();
             if (r && numerator(*r) == -1) {
-                return w.right() * pow(leaf, expression(1 + static_cast<int>(denominator(*r)))) * du;
+                return w.right() * pow(leaf, expression(1 + static_cast<int>(denominator(*r))));
             }
-            return w.right() * leaf * inverse(u) * du;
+            return w.right() * leaf * inverse(u);
         }
         const expression by_argument = function::with_function(w.function(), [&](auto of) -> expression {
             using each = decltype(of);
@@ -189,7 +207,7 @@ private:
                 return each::derivative(u, leaf);
             }
         });
-        return in_leaves(by_argument) * du;
+        return in_leaves(by_argument);
     }
 
     const explicit_system& of_;

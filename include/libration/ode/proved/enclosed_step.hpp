@@ -23,6 +23,8 @@ public:
     virtual ball length_of_step() const = 0;
     /// The given unknowns, at every distance of a ball.
     virtual std::vector<ball> values_at(const ball& distance) const = 0;
+    /// The same, more narrowly where more work allows it.
+    virtual std::vector<ball> narrow_values_at(const ball& distance) const { return values_at(distance); }
     /// Their derivatives there, if they are enclosed more narrowly than the right-hand sides by values_at(); empty
     /// otherwise.
     virtual std::vector<ball> slopes_at(const ball& /*distance*/) const { return {}; }

@@ -27,17 +27,33 @@ struct tail_bound {
 inline magnitude size_of(const ball& x) { return magnitude(x); }
 inline magnitude size_of(const complex_number<ball>& x) { return hypotenuse(magnitude(x.re), magnitude(x.im)); }
 
+/// Bounds of |coefficient n| of the steps of a tape, for all initial values and constants of a set.
+struct series_sizes {
+    int degree = 0;
+    /// [step][n], n < degree; of the steps of unknowns n = degree too.
+    std::vector<std::vector<magnitude>> of_steps;
+    std::vector<magnitude> constants;  ///< of the tape
+    magnitude point;
+};
+
+/// Those of an expansion up to a degree; it has as many more terms as the maximum lag of the steps of the tape.
+template <field R>
+series_sizes sizes_of(const tape& of, const taylor_expansion<R>& expansion, const R& point, int degree);
+
 /// Theorem T [THEOREMS: Banach's fixed point in the norm ||a|| = sum |a_n| rho^n]. For a polynomial system y' = f(t, y)
-/// of first order, rho = radius, p the exact polynomials of degree N = expansion.order(): if for some s >= 0 and all i
+/// of first order, rho = radius, p the exact polynomials of degree N = sizes.degree: if for some s >= 0 and all i
 ///     rho/(N+1) ||f_i(p), degrees >= N|| + rho/(N+2) G_i(s) <= s_i,
 /// G_i(s) a bound of ||f_i(p + e) - f_i(p)|| for ||e_j|| <= s_j, the map e -> D + int(f(p+e) - f(p)) maps {e =
 /// O(t^(N+1)), ||e_i|| <= s_i} into itself, and the solution is p + e there. The tape must consist of products, squares
 /// and linear operations, and be made by tape::about_points; the coefficients are those about a point. Returns
 /// std::nullopt if no s was found: rho is too close to the radius of convergence, or the balls are too wide. The image
 /// of s under the map bounds e as well. O(N) per product, with 30-bit multiplications.
+std::optional<tail_bound> bounded_tail(const tape& of, const series_sizes& sizes, const magnitude& radius);
 template <field R>
 std::optional<tail_bound> bounded_tail(const tape& of, const taylor_expansion<R>& expansion, const R& point,
-                                       const magnitude& radius);
+                                       const magnitude& radius) {
+    return bounded_tail(of, sizes_of(of, expansion, point, expansion.order()), radius);
+}
 
 /// On 0 <= s <= length |y_i(s) - p_i(s)| <= error[i] and |y_i'(s) - p_i'(s)| <= slope_error[i].
 struct remainder_bound {

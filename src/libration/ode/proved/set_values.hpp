@@ -64,7 +64,7 @@ struct power_size {
 // over the first powers m of log2(|a_m|/|a_n|)/(n - m). Coefficients 0 do not count, so that missing powers have no
 // effect; neither has the unit of the unknown. no_radius if all coefficients of the first or of the second half are 0.
 // The size of a coefficient that does not count is 0.
-template <field R, class SizeOf>
+template <class R, class SizeOf>
 double estimated_radius(const R* coefficients, int order, const SizeOf& size_of_coefficient) {
     std::array<power_size, powers_of_estimate> first{};
     std::size_t count = 0;
@@ -164,8 +164,8 @@ std::optional<tail_bound> tail_near(const tape& of, const taylor_expansion<R>& e
                 largest_tried + scale_of_series(expansion.coefficients(static_cast<int>(i)), expansion.order()));
         }
     }
-    return first_tail(log_of_radius,
-                      [&](const magnitude& radius) { return bounded_tail(of, expansion, point, radius); });
+    const series_sizes sizes = sizes_of(of, expansion, point, expansion.order());
+    return first_tail(log_of_radius, [&](const magnitude& radius) { return bounded_tail(of, sizes, radius); });
 }
 
 // n (n - 1) .. (n - l + 1)

@@ -18,21 +18,15 @@ struct step_norm {
     magnitude rest;
 };
 
-template <field R>
 class norms_of_steps {
 public:
-    // With N = degree; the expansion has additional terms for the lag of the steps of the tape.
-    norms_of_steps(const tape& of, const taylor_expansion<R>& expansion, int degree, const R& point,
-                   const magnitude& radius)
-        : tape_(of), expansion_(expansion), terms_(static_cast<std::size_t>(degree)), radius_(radius) {
-        point_ = size_of(point);
+    // All arguments must outlive it.
+    norms_of_steps(const tape& of, const series_sizes& sizes, const magnitude& radius)
+        : tape_(of), sizes_(sizes), terms_(static_cast<std::size_t>(sizes.degree)), radius_(radius) {
         magnitude power(1U);
         for (std::size_t j = 0; j <= terms_; ++j) {
             powers_.push_back(power);
             power *= radius;
-        }
-        for (const number& each : of.constants()) {
-            constants_.push_back(size_of(constant_value<R>::of(each)));
         }
         all_.reserve(of.steps().size());
         for (std::size_t i = 0; i < of.steps().size(); ++i) {
@@ -61,7 +55,7 @@ public:
                 case operation::difference: result.push_back(left() + right()); break;
                 case operation::scaled: result.push_back(left() * factor_of(s)); break;
                 case operation::raised: result.push_back(magnitude(left())); break;
-                case operation::by_variable: result.push_back(left() * (point_ + radius_)); break;
+                case operation::by_variable: result.push_back(left() * (sizes_.point + radius_)); break;
                 case operation::delayed: result.push_back(left() * shift_of(s)); break;
                 case operation::product:
                     result.push_back(norm(s.left) * right() + left() * norm(s.right) + left() * right());
@@ -86,7 +80,7 @@ private:
 
     magnitude factor_of(const tape_step& s) const {
         if (s.constant >= 0) {
-            return constants_[static_cast<std::size_t>(s.constant)];
+            return sizes_.constants[static_cast<std::size_t>(s.constant)];
         }
         const auto above = static_cast<unsigned long>(s.numerator < 0 ? -static_cast<long>(s.numerator) : s.numerator);
         return magnitude(above) / static_cast<unsigned long>(s.denominator);
@@ -98,19 +92,19 @@ private:
 
     step_norm norm_of(const tape_step& s, int index) const {
         step_norm result;
-        const R* const a = expansion_.of_step(index);
+        const std::vector<magnitude>& a = sizes_.of_steps[static_cast<std::size_t>(index)];
         result.terms.reserve(terms_);
         for (std::size_t j = 0; j < terms_; ++j) {
-            result.terms.push_back(size_of(a[j]) * powers_[j]);
+            result.terms.push_back(a[j] * powers_[j]);
             result.low += result.terms.back();
         }
         result.rest = rest_of(s, a);
         return result;
     }
 
-    magnitude rest_of(const tape_step& s, const R* a) const {
+    magnitude rest_of(const tape_step& s, const std::vector<magnitude>& a) const {
         switch (s.kind) {
-            case operation::state: return size_of(a[terms_]) * powers_[terms_];
+            case operation::state: return a[terms_] * powers_[terms_];
             case operation::constant:
             case operation::variable: return s.kind == operation::variable && terms_ == 1 ? radius_ : magnitude();
             case operation::sum:
@@ -118,7 +112,7 @@ private:
             case operation::scaled: return of(s.left).rest * factor_of(s);
             case operation::raised: return of(s.left).rest;
             case operation::by_variable:
-                return of(s.left).rest * (point_ + radius_) + of(s.left).terms.back() * radius_;
+                return of(s.left).rest * (sizes_.point + radius_) + of(s.left).terms.back() * radius_;
             case operation::delayed: return rest_of_delayed(of(s.left), s);
             case operation::product: return rest_of_product(of(s.left), of(s.right));
             case operation::square: return rest_of_product(of(s.left), of(s.left));
@@ -159,18 +153,17 @@ private:
     }
 
     const tape& tape_;
-    const taylor_expansion<R>& expansion_;
+    const series_sizes& sizes_;
     std::size_t terms_;
     magnitude radius_;
-    magnitude point_;
-    std::vector<magnitude> powers_, constants_;
+    std::vector<magnitude> powers_;
     std::vector<step_norm> all_;
 };
 
 // s with defects_i ||f_i(p), degrees >= N|| + gains_i G_i(s) <= s_i for all i, or its image under the map, which is not
 // larger; G by of_state(s, state). The s_i of known unknowns are given.
-template <field R, class OfState>
-std::optional<std::vector<magnitude>> kept_by_map(const tape& of, const norms_of_steps<R>& norms,
+template <class OfState>
+std::optional<std::vector<magnitude>> kept_by_map(const tape& of, const norms_of_steps& norms,
                                                   const magnitude& of_defect, const magnitude& gain,
                                                   const OfState& of_state,
                                                   const std::vector<known_remainder>& known = {}) {
@@ -219,23 +212,40 @@ std::optional<std::vector<magnitude>> kept_by_map(const tape& of, const norms_of
 }  // namespace
 
 template <field R>
-std::optional<tail_bound> bounded_tail(const tape& of, const taylor_expansion<R>& expansion, const R& point,
-                                       const magnitude& radius) {
-    const int degree = expansion.order();
-    const auto order = static_cast<unsigned long>(degree);
-    const norms_of_steps<R> norms(of, expansion, degree, point, radius);
+series_sizes sizes_of(const tape& of, const taylor_expansion<R>& expansion, const R& point, int degree) {
+    series_sizes result{degree, {}, {}, size_of(point)};
+    for (const number& each : of.constants()) {
+        result.constants.push_back(size_of(constant_value<R>::of(each)));
+    }
+    const auto count = static_cast<std::size_t>(degree);
+    result.of_steps.reserve(of.steps().size());
+    for (std::size_t i = 0; i < of.steps().size(); ++i) {
+        const R* const a = expansion.of_step(static_cast<int>(i));
+        auto& row = result.of_steps.emplace_back();
+        row.reserve(count + 1);
+        for (std::size_t j = 0; j < count + (of.steps()[i].kind == operation::state ? 1 : 0); ++j) {
+            row.push_back(size_of(a[j]));
+        }
+    }
+    return result;
+}
+
+std::optional<tail_bound> bounded_tail(const tape& of, const series_sizes& sizes, const magnitude& radius) {
+    const auto order = static_cast<unsigned long>(sizes.degree);
+    const norms_of_steps norms(of, sizes, radius);
     auto s = kept_by_map(of, norms, radius / (order + 1), radius / (order + 2),
                          [](const std::vector<magnitude>& errors, const tape_step& state) {
                              return errors[static_cast<std::size_t>(state.left)];
                          });
-    return s ? std::optional(tail_bound{radius, degree, *std::move(s)}) : std::nullopt;
+    return s ? std::optional(tail_bound{radius, sizes.degree, *std::move(s)}) : std::nullopt;
 }
 
 std::optional<remainder_bound> bounded_remainder(const tape& of, const taylor_expansion<ball>& expansion,
                                                  const ball& point, const magnitude& length,
                                                  const std::vector<known_remainder>& known) {
     const int degree = expansion.order();
-    const norms_of_steps<ball> norms(of, expansion, degree, point, length);
+    const series_sizes sizes = sizes_of(of, expansion, point, degree);
+    const norms_of_steps norms(of, sizes, length);
     const auto part_of = [](const std::vector<magnitude>& errors, const tape_step& state) {
         return errors[static_cast<std::size_t>(state.left)];
     };
@@ -278,7 +288,8 @@ std::optional<tail_bound> bounded_singular_tail(const tape& of, const taylor_exp
         const ball quotient = falling(degree + 1, l) / falling(degree + 1, of.orders()[unknown]);
         return magnitude(quotient) / pow(radius, static_cast<unsigned long>(l));
     };
-    const norms_of_steps<ball> norms(of, expansion, degree, ball(0), radius);
+    const series_sizes sizes = sizes_of(of, expansion, ball(0), degree);
+    const norms_of_steps norms(of, sizes, radius);
     auto s = kept_by_map(of, norms, magnitude(1U), magnitude(1U),
                          [&](const std::vector<magnitude>& highest, const tape_step& state) {
                              const auto unknown = static_cast<std::size_t>(state.left);
@@ -293,9 +304,8 @@ std::optional<tail_bound> bounded_singular_tail(const tape& of, const taylor_exp
     return tail_bound{radius, degree, *std::move(s)};
 }
 
-template std::optional<tail_bound> bounded_tail(const tape&, const taylor_expansion<ball>&, const ball&,
-                                                const magnitude&);
-template std::optional<tail_bound> bounded_tail(const tape&, const taylor_expansion<complex_number<ball>>&,
-                                                const complex_number<ball>&, const magnitude&);
+template series_sizes sizes_of(const tape&, const taylor_expansion<ball>&, const ball&, int);
+template series_sizes sizes_of(const tape&, const taylor_expansion<complex_number<ball>>&, const complex_number<ball>&,
+                               int);
 
 }  // namespace libration::ode

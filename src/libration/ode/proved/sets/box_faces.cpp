@@ -1,6 +1,6 @@
 #include "box_faces.hpp"
 
-#include "divided_box.hpp"
+#include "part_run.hpp"
 
 namespace libration::ode {
 
@@ -54,7 +54,7 @@ const set_run_result& box_faces::run_on(const std::vector<int>& ends) {
             face[j] = {end, end};
         }
     }
-    const auto& made = runs_.emplace(ends, question_.enclosed_from(face, false)).first->second;
+    const auto& made = runs_.emplace(ends, best_run(question_, face, false)).first->second;
     steps_ += made.steps;
     return made;
 }

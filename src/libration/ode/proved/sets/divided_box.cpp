@@ -3,33 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "libration/scalar/ball/predicates.hpp"
+#include "part_run.hpp"
 
 namespace libration::ode {
 
 namespace {
 
-constexpr double negligible_excess = 1.0 / 16;
-
 // a/b of two widths, for choices.
 double ratio_of_widths(const magnitude& a, const magnitude& b) { return std::exp2(log_of(a) - log_of(b)); }
 
-magnitude width_of(const closed_interval& of) { return magnitude(of.upper - of.lower); }
-
-bool is_monotone(const std::vector<ball>& derivatives) {
-    return std::ranges::all_of(derivatives, [](const ball& each) { return direction_of(each) != 0; });
-}
-
 }  // namespace
-
-int direction_of(const ball& derivative) {
-    if (arb_is_zero(derivative.handle()) != 0) {
-        return 2;
-    }
-    return arb_is_nonnegative(derivative.handle()) != 0 ? 1 : arb_is_nonpositive(derivative.handle()) != 0 ? -1 : 0;
-}
 
 divided_box::divided_box(number_box whole, const set_question& question, bool with_derivatives, std::size_t most_parts)
     : whole_(std::move(whole)), question_(question), with_derivatives_(with_derivatives) {
@@ -50,7 +37,7 @@ divided_box::divided_box(number_box whole, const set_question& question, bool wi
 }
 
 divided_box::part divided_box::enclosed(const number_box& box) {
-    part made{box, question_.enclosed_from(box, with_derivatives_)};
+    part made{box, best_run(question_, box, with_derivatives_)};
     steps_ += made.run.steps;
     return made;
 }
@@ -77,11 +64,9 @@ void divided_box::unite() {
 }
 
 std::optional<std::size_t> divided_box::index_of_first_end() const {
+    const ball start = constant_value<ball>::of(question_.problem().system().point());
+    const auto distance = [&](std::size_t p) { return midpoint_alone(abs(parts_[p].run.reached - start)); };
     std::optional<std::size_t> first;
-    const auto distance = [&](std::size_t p) {
-        return midpoint_alone(
-            abs(parts_[p].run.reached - constant_value<ball>::of(question_.problem().system().point())));
-    };
     for (std::size_t p = 0; p < parts_.size(); ++p) {
         if (!parts_[p].run.may_divide) {
             return p;
@@ -132,32 +117,16 @@ std::optional<divided_box::division> divided_box::of_ending_part() const {
     const part& ends = parts_[index];
     division found{index, widest_side(ends)};
     double most = 0;
-    for (const auto& row : ends.run.derivatives) {
-        std::vector<magnitude> widths;
-        magnitude sum;
-        for (std::size_t j = 0; j < row.size(); ++j) {
-            widths.push_back(magnitude::midpoint_of(row[j]) * radius_of(ends.box[j]));
-            sum += widths.back();
-        }
-        for (std::size_t j = 0; j < row.size() && sum.is_finite() && !sum.is_zero(); ++j) {
-            if (const double share = ratio_of_widths(widths[j], sum); share > most) {
+    for (const width_shares& shares : ends.run.shares) {
+        const magnitude sum = std::accumulate(shares.begin(), shares.end(), magnitude());
+        for (std::size_t j = 0; j < shares.size() && sum.is_finite() && !sum.is_zero(); ++j) {
+            if (const double share = ratio_of_widths(shares[j], sum); share > most) {
                 most = share;
                 found.side = j;
             }
         }
     }
     return has_width(ends.box[found.side]) ? std::optional(found) : std::nullopt;
-}
-
-// How much wider the enclosure of a value is than its linear image, relative to the range of the whole box.
-double divided_box::excess_of(const part& of, std::size_t image, std::size_t value) const {
-    const set_image& here = *of.run.images[image];
-    magnitude linear;
-    for (std::size_t j = 0; j < of.box.size(); ++j) {
-        linear.add_product(magnitude::midpoint_of(here.derivatives[value][j]), radius_of(of.box[j]));
-    }
-    const double whole = log_of(width_of(images_[image]->values[value]));
-    return std::exp2(log_of(width_of(here.values[value])) - whole) - std::exp2(log_of(linear) + 1 - whole);
 }
 
 // Of the parts that determine a bound of a value that is not monotone, the one with the largest excess, along the side
@@ -175,7 +144,8 @@ std::optional<divided_box::division> divided_box::of_widest_part() const {
                 const closed_interval& here = parts_[p].run.images[i]->values[k];
                 const bool determines =
                     !exactly_less(whole.lower, here.lower) || !exactly_less(here.upper, whole.upper);
-                if (const double excess = determines ? excess_of(parts_[p], i, k) : 0; excess > most) {
+                if (const double excess = determines ? excess_of(*parts_[p].run.images[i], k, parts_[p].box, whole) : 0;
+                    excess > most) {
                     most = excess;
                     found = division{p, least_certain_side(parts_[p], i, k)};
                 }
@@ -188,8 +158,10 @@ std::optional<divided_box::division> divided_box::of_widest_part() const {
 std::size_t divided_box::least_certain_side(const part& of, std::size_t image, std::size_t value) const {
     std::size_t found = widest_side(of);
     magnitude largest;
+    const set_image& here = *of.run.images[image];
     for (std::size_t j = 0; j < whole_.size(); ++j) {
-        const auto width = magnitude::radius_of(of.run.images[image]->derivatives[value][j]) * radius_of(of.box[j]);
+        const auto width = here.excess.empty() ? magnitude::radius_of(here.derivatives[value][j]) * radius_of(of.box[j])
+                                               : here.excess[value].shares[j];
         if (largest < width) {
             largest = width;
             found = j;

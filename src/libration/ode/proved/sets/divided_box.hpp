@@ -40,7 +40,6 @@ private:
     std::optional<division> next_division() const;
     std::optional<division> of_ending_part() const;
     std::optional<division> of_widest_part() const;
-    double excess_of(const part& of, std::size_t image, std::size_t value) const;
     std::size_t widest_side(const part& of) const;
     std::size_t least_certain_side(const part& of, std::size_t image, std::size_t value) const;
 
@@ -51,9 +50,5 @@ private:
     std::vector<std::optional<set_image>> images_;
     long steps_ = 0;
 };
-
-/// Whether a value is monotone in a number of the box, by its derivatives on the whole of it: 1 and -1 for increasing
-/// and decreasing ones, 2 for one that is constant, 0 if the sign is not decided.
-int direction_of(const ball& derivative);
 
 }  // namespace libration::ode

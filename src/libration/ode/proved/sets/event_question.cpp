@@ -194,9 +194,11 @@ set_run_result event_question::enclosed_from(const number_box& box, bool with_de
             result.reached = search.march().reached();
             if (search.march().derivative()) {
                 const ball_matrix all = product(*search.march().derivative(), of_start);
+                ball_matrix own;
                 for (const std::size_t place : of_.own()) {
-                    result.derivatives.push_back(all[place]);
+                    own.push_back(all[place]);
                 }
+                result.shares = shares_of(own, box);
             }
             break;
         }

@@ -22,6 +22,12 @@ inline magnitude radius_of(const closed_interval& of) { return magnitude(of.uppe
 /// A ball that contains all of its numbers.
 inline ball ball_of(const closed_interval& of) { return hull(of.lower, of.upper); }
 
+/// Removes the numbers of an interval that are not in another, which has numbers in common with it.
+inline void narrow(closed_interval& to, const closed_interval& by) {
+    if (exactly_less(to.lower, by.lower)) to.lower = by.lower;
+    if (exactly_less(by.upper, to.upper)) to.upper = by.upper;
+}
+
 /// Extends an interval to the numbers of a ball.
 inline void extend(closed_interval& to, const ball& by) {
     if (const ball lower = lower_bound(by); exactly_less(lower, to.lower)) to.lower = lower;

@@ -60,6 +60,17 @@ proof_route route_for(const number_box& box, const proof_route& given) {
     return route;
 }
 
+std::vector<width_shares> shares_of(const ball_matrix& derivatives, const number_box& box) {
+    std::vector<width_shares> result;
+    for (const auto& row : derivatives) {
+        auto& of_value = result.emplace_back();
+        for (std::size_t j = 0; j < row.size(); ++j) {
+            of_value.push_back(magnitude::midpoint_of(row[j]) * radius_of(box[j]));
+        }
+    }
+    return result;
+}
+
 std::string text_of_part(const number_box& part, const std::vector<std::string>& names, std::size_t parts) {
     std::string text;
     for (std::size_t j = 0; j < part.size(); ++j) {

@@ -1,10 +1,12 @@
 #include "set_run.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "libration/ode/first_order_form.hpp"
 #include "libration/scalar/ball/predicates.hpp"
+#include "models/model_march.hpp"
 
 namespace libration::ode {
 
@@ -14,6 +16,9 @@ namespace {
 // halved.
 constexpr long log2_of_pieces = 4;
 constexpr int most_halvings = 4;
+
+// Of a piece that is not halved, relative to the width of the enclosures at three of its times.
+const magnitude sharp_width = magnitude::of(257, -8);
 
 // Of the working precision, besides the bits of the integration.
 constexpr long guard_digits_of_run = 20;
@@ -43,31 +48,31 @@ std::optional<distance_span> part_of(const time_span& span, std::size_t index, c
 // Bounds of the unknowns of the problem on a piece of a step.
 struct enclosed_piece {
     std::vector<closed_interval> values;
-    std::vector<bool> monotone;  ///< in time
+    std::vector<bool> sharp;  ///< hardly wider than the values at the ends and in the middle
 };
+
+std::size_t count_of_wide(const number_box& box) {
+    return static_cast<std::size_t>(std::ranges::count_if(box, has_width));
+}
 
 // A run in one direction.
-struct span_run_request {
+struct set_run_request {
     const set_problem& of;
-    long bits;
+    const number_box& box;
     bool with_derivatives;
+    bool forward;
+    long bits;
     const march_watch& watch;
-    const proof_route& route;
 };
 
+// By any integrator.
 class set_run {
 public:
-    set_run(const number_box& box, const span_run_request& how, bool forward, set_run_result& result)
-        : how_(how),
-          result_(result),
-          forward_(forward),
-          form_(how.of.system()),
-          of_start_(how.of.derivative_of_start(box)),
-          march_(how.of.system(), how.of.states_of(box), how.bits, how.watch, route_for(box, how.route)) {
-        if (how.with_derivatives) {
-            march_.keep_derivative();
-        }
-    }
+    set_run(const set_run_request& how, set_run_result& result)
+        : how_(how), result_(result), form_(how.of.system()), of_start_(how.of.derivative_of_start(how.box)) {}
+    set_run(const set_run&) = delete;
+    set_run& operator=(const set_run&) = delete;
+    virtual ~set_run() = default;
 
     // False if the proof ends before the last of the spans.
     bool reaches(std::vector<distance_span>& parts) {
@@ -83,15 +88,41 @@ public:
         }
     }
 
-    ball reached() const { return march_.reached(); }
+    ball reached() { return march().reached(); }
     long steps() const { return steps_; }
-    // With respect to the numbers of the box, at reached(); empty if they are not requested.
-    ball_matrix derivatives_at_end() const {
-        return march_.derivative() ? by_box(*march_.derivative()) : ball_matrix();
+    virtual std::vector<width_shares> shares_at_end() const = 0;
+
+protected:
+    virtual enclosed_steps& march() = 0;
+    // Before the end of the run, that the step is used up to a time.
+    virtual void use(const ball& /*time*/) {}
+    // With respect to the initial state, at a distance within the step; more narrowly at a time than on a piece.
+    virtual ball_matrix derivative_of_flow(const ball& distance, bool at_time) = 0;
+    // Of the values at the beginning of the step.
+    virtual std::vector<model_excess> excess_at_start() { return {}; }
+
+    const set_run_request& how() const { return how_; }
+    // With respect to the numbers of the box, from that with respect to the initial state.
+    ball_matrix by_box(const ball_matrix& of_flow) const {
+        ball_matrix result;
+        for (const std::size_t place : how_.of.own()) {
+            auto& row = result.emplace_back(how_.of.sets().size(), ball(0));
+            for (std::size_t j = 0; j < row.size(); ++j) {
+                for (std::size_t i = 0; i < of_start_.size(); ++i) {
+                    row[j] += of_flow[place][i] * of_start_[i][j];
+                }
+            }
+        }
+        return result;
     }
 
 private:
-    ball signed_distance(const ball& distance) const { return forward_ ? distance : -distance; }
+    ball signed_distance(const ball& distance) const { return how_.forward ? distance : -distance; }
+
+    ball_matrix derivatives_at(const ball& distance, bool at_time) {
+        return how_.with_derivatives ? by_box(derivative_of_flow(distance, at_time))
+                                     : ball_matrix(how_.of.own().size());
+    }
 
     bool takes_step(std::vector<distance_span>& parts) {
         ball farthest = gone_;
@@ -99,7 +130,7 @@ private:
             farthest = exactly_less(farthest, each.to) ? each.to : farthest;
         }
         const ball rest = signed_distance(exact_sum(farthest, -gone_));
-        const enclosed_step* const step = march_.prepare_towards(rest);
+        const enclosed_step* const step = march().prepare_towards(rest);
         if (step == nullptr) {
             return false;
         }
@@ -114,9 +145,9 @@ private:
             }
         }
         if (is_not_beyond(farthest, end)) {
-            march_.use_prepared(march_.reached() + rest, forward_ ? 1 : -1);
+            use(march().reached() + rest);
         } else {
-            march_.take_prepared(forward_ ? 1 : -1);
+            march().take_prepared(how_.forward ? 1 : -1);
             gone_ = end;
         }
         return true;
@@ -125,12 +156,13 @@ private:
     // The solutions from one distance to another within a step.
     void enclose(const enclosed_step& step, const ball& first, const ball& last, std::size_t index) {
         if (!is_long(first, last)) {
-            const auto over = step.values_at(signed_distance(hull(first, last)));
+            const ball distance = signed_distance(hull(first, last));
+            const auto over = step.narrow_values_at(distance);
             std::vector<closed_interval> values;
             for (const std::size_t place : how_.of.own()) {
                 values.push_back({lower_bound(over[place]), upper_bound(over[place])});
             }
-            add(values, derivatives_at(signed_distance(hull(first, last))), index);
+            add({values, derivatives_at(distance, true), excess_at_start()}, index);
             return;
         }
         const ball piece = exact_multiple(exact_sum(last, -first), 1, -log2_of_pieces);
@@ -153,46 +185,47 @@ private:
             enclose_piece(step, middle, last, index, halvings - 1);
             return;
         }
-        add(piece.values, derivatives_at(signed_distance(hull(first, last))), index);
+        const ball distance = signed_distance(hull(first, last));
+        add({piece.values, derivatives_at(distance, false), excess_at_start()}, index);
     }
 
     bool extends(const enclosed_piece& piece, std::size_t index) const {
         const auto& kept = result_.images[index];
         for (std::size_t k = 0; k < piece.values.size(); ++k) {
-            if (!piece.monotone[k] && (!kept || exactly_less(piece.values[k].lower, kept->values[k].lower) ||
-                                       exactly_less(kept->values[k].upper, piece.values[k].upper))) {
+            if (!piece.sharp[k] && (!kept || exactly_less(piece.values[k].lower, kept->values[k].lower) ||
+                                    exactly_less(kept->values[k].upper, piece.values[k].upper))) {
                 return true;
             }
         }
         return false;
     }
 
-    void add(const std::vector<closed_interval>& values, const ball_matrix& derivatives, std::size_t index) {
+    void add(set_image image, std::size_t index) {
         auto& kept = result_.images[index];
         if (!kept) {
-            kept = set_image{values, derivatives};
+            kept = std::move(image);
             return;
         }
-        for (std::size_t k = 0; k < values.size(); ++k) {
-            extend(kept->values[k], values[k]);
-            for (std::size_t j = 0; j < derivatives[k].size(); ++j) {
-                kept->derivatives[k][j] = hull(kept->derivatives[k][j], derivatives[k][j]);
+        for (std::size_t k = 0; k < image.values.size(); ++k) {
+            extend(kept->values[k], image.values[k]);
+            for (std::size_t j = 0; j < image.derivatives[k].size(); ++j) {
+                kept->derivatives[k][j] = hull(kept->derivatives[k][j], image.derivatives[k][j]);
             }
         }
     }
 
     // Whether a piece is more than the rounding of one time.
-    bool is_long(const ball& first, const ball& last) const {
-        return exactly_less(exact_sum(first, exact_multiple(last, 1, -how_.bits / 2)), last);
+    bool is_long(const ball& first, const ball& last) {
+        return exactly_less(exact_sum(first, exact_multiple(last, 1, -march().bits() / 2)), last);
     }
 
     // A value whose slope has one sign on a piece has its bounds at the ends. Of others with the slope s in S, |y(t) -
     // y(m)| <= |S| |t - m|, m the middle, also bounds it.
-    enclosed_piece narrowed(const enclosed_step& step, const ball& first, const ball& last) const {
+    enclosed_piece narrowed(const enclosed_step& step, const ball& first, const ball& last) {
         const ball middle = exact_multiple(exact_sum(first, last), 1, -1);
         const ball distance = signed_distance(hull(first, last));
         const auto over = step.values_at(distance);
-        const auto slopes = form_.slopes_at(over, ball(march_.reached() + distance));
+        const auto slopes = form_.slopes_at(over, ball(march().reached() + distance));
         const auto at_first = step.values_at(signed_distance(first));
         const auto at_middle = step.values_at(signed_distance(middle));
         const auto at_last = step.values_at(signed_distance(last));
@@ -200,56 +233,130 @@ private:
         enclosed_piece result;
         for (const std::size_t place : how_.of.own()) {
             closed_interval each{lower_bound(over[place]), upper_bound(over[place])};
-            result.monotone.push_back(known_sign(slopes[place]) != 0);
-            const ball near = result.monotone.back() ? hull(at_first[place], at_last[place])
-                                                     : widened(at_middle[place], magnitude(slopes[place]) * half);
-            if (const ball lower = lower_bound(near); exactly_less(each.lower, lower)) each.lower = lower;
-            if (const ball upper = upper_bound(near); exactly_less(upper, each.upper)) each.upper = upper;
+            const ball of_ends = hull(at_first[place], at_last[place]);
+            const bool monotone = known_sign(slopes[place]) != 0;
+            const ball near = monotone ? of_ends : widened(at_middle[place], magnitude(slopes[place]) * half);
+            narrow(each, {lower_bound(near), upper_bound(near)});
+            const magnitude attained = magnitude::radius_of(hull(of_ends, at_middle[place])) * sharp_width;
+            result.sharp.push_back(monotone || radius_of(each) < attained);
             result.values.push_back(std::move(each));
         }
         return result;
     }
 
-    // At a distance within the step.
-    ball_matrix derivatives_at(const ball& distance) const {
-        return how_.with_derivatives ? by_box(march_.derivative_at(march_.reached() + distance))
-                                     : ball_matrix(how_.of.own().size());
-    }
-
-    // With respect to the numbers of the box, from that with respect to the initial state.
-    ball_matrix by_box(const ball_matrix& of_flow) const {
-        ball_matrix result;
-        for (const std::size_t place : how_.of.own()) {
-            auto& row = result.emplace_back(how_.of.sets().size(), ball(0));
-            for (std::size_t j = 0; j < row.size(); ++j) {
-                for (std::size_t i = 0; i < of_start_.size(); ++i) {
-                    row[j] += of_flow[place][i] * of_start_[i][j];
-                }
-            }
-        }
-        return result;
-    }
-
-    const span_run_request& how_;
+    set_run_request how_;
     set_run_result& result_;
-    bool forward_;
     first_order_form form_;
     ball_matrix of_start_;
-    proved_march march_;
     ball gone_{0};  // the distance at the beginning of the next step
     long steps_ = 0;
 };
 
+// By theorem V.
+class linear_run : public set_run {
+public:
+    linear_run(const set_run_request& how, set_run_result& result, const proof_route& route)
+        : set_run(how, result), march_(how.of.system(), how.of.states_of(how.box), how.bits, how.watch, route) {
+        if (how.with_derivatives) {
+            march_.keep_derivative();
+        }
+    }
+
+    std::vector<width_shares> shares_at_end() const override {
+        return march_.derivative() ? shares_of(by_box(*march_.derivative()), how().box) : std::vector<width_shares>();
+    }
+
+protected:
+    enclosed_steps& march() override { return march_; }
+    void use(const ball& time) override { march_.use_prepared(time, how().forward ? 1 : -1); }
+    ball_matrix derivative_of_flow(const ball& distance, bool /*at_time*/) override {
+        return march_.derivative_at(march_.reached() + distance);
+    }
+
+private:
+    proved_march march_;
+};
+
+// By Taylor models.
+class model_run : public set_run {
+public:
+    model_run(const set_run_request& how, set_run_result& result)
+        : set_run(how, result), march_(how.of.system(), how.of.states_of(how.box), count_of_wide(how.box), how.watch) {}
+
+    std::vector<width_shares> shares_at_end() const override {
+        std::vector<width_shares> result;
+        for (const std::size_t place : how().of.own()) {
+            result.push_back(shares_in(march_.set().models[place]));
+        }
+        return result;
+    }
+
+protected:
+    enclosed_steps& march() override { return march_; }
+    ball_matrix derivative_of_flow(const ball& distance, bool at_time) override {
+        return march_.derivative_at(distance, at_time);
+    }
+    std::vector<model_excess> excess_at_start() override {
+        std::vector<model_excess> result;
+        for (const std::size_t place : how().of.own()) {
+            result.push_back({march_.set().reach(place).shifted(1), shares_in(march_.set().models[place])});
+        }
+        return result;
+    }
+
+private:
+    // By the terms of a model that are not linear.
+    width_shares shares_in(const taylor_model& model) const {
+        width_shares result;
+        std::size_t variable = 0;
+        for (const closed_interval& each : how().box) {
+            result.push_back(has_width(each) ? model.nonlinear_share(variable++) : magnitude());
+        }
+        return result;
+    }
+
+    model_march march_;
+};
+
 }  // namespace
 
+bool span_question::has_spans() const { return !std::ranges::all_of(spans_, is_time); }
+
 set_run_result span_question::enclosed_from(const number_box& box, bool with_derivatives) const {
+    return linear_from(box, with_derivatives, true);
+}
+
+set_run_result span_question::enclosed_at_times(const number_box& box, bool with_derivatives) const {
+    return linear_from(box, with_derivatives, false);
+}
+
+set_run_result span_question::linear_from(const number_box& box, bool with_derivatives, bool with_spans) const {
+    return enclosed_by(box, with_derivatives, with_spans, [&](const set_run_request& how, set_run_result& result) {
+        return std::make_unique<linear_run>(how, result, route_for(box, route_));
+    });
+}
+
+std::optional<set_run_result> span_question::enclosed_by_models(const number_box& box, bool with_derivatives) const {
+    if (const std::size_t wide = count_of_wide(box); wide == 0 || wide > model_march::most_variables) {
+        return std::nullopt;
+    }
+    return enclosed_by(box, with_derivatives, true, [](const set_run_request& how, set_run_result& result) {
+        return std::make_unique<model_run>(how, result);
+    });
+}
+
+template <class MakeRun>
+set_run_result span_question::enclosed_by(const number_box& box, bool with_derivatives, bool with_spans,
+                                          const MakeRun& make) const {
     const precision_scope scope(decimal_digits(bits_) + guard_digits_of_run);
-    const span_run_request how{of_, bits_, with_derivatives, watch_, route_};
     set_run_result result;
     result.images.resize(spans_.size());
     for (const bool forward : {true, false}) {
         std::vector<distance_span> parts;
         for (std::size_t i = 0; i < spans_.size(); ++i) {
+            if (!with_spans && !is_time(spans_[i])) {
+                continue;
+            }
             if (auto part = part_of(spans_[i], i, of_.system().point(), forward)) {
                 parts.push_back(std::move(*part));
             }
@@ -257,14 +364,14 @@ set_run_result span_question::enclosed_from(const number_box& box, bool with_der
         if (parts.empty()) {
             continue;
         }
-        set_run run(box, how, forward, result);
-        const bool reaches = run.reaches(parts);
-        result.steps += run.steps();
+        const std::unique_ptr<set_run> run = make({of_, box, with_derivatives, forward, bits_, watch_}, result);
+        const bool reaches = run->reaches(parts);
+        result.steps += run->steps();
         if (!reaches && result.complete) {
             result.complete = false;
-            result.reached = run.reached();
+            result.reached = run->reached();
             result.forward = forward;
-            result.derivatives = run.derivatives_at_end();
+            result.shares = run->shares_at_end();
         }
         for (const distance_span& each : parts) {
             if (!each.done) {

@@ -1,0 +1,112 @@
+// The sets of Taylor models against closed forms at points of the box.
+#include "libration/ode/proved/sets/models/model_march.hpp"
+
+#include <catch2/catch.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "corner_numbers.hpp"
+#include "libration/ode/ball/step_pieces.hpp"
+#include "libration/ode/parse.hpp"
+#include "libration/ode/proved/sets/set_problem.hpp"
+#include "libration/scalar/ball/functions.hpp"
+#include "libration/scalar/ball/predicates.hpp"
+#include "proved.hpp"
+
+namespace ode_proved_sets_models_model_march_test {
+
+using namespace libration;
+using namespace libration::ode;
+using tests::text_of;
+
+namespace {
+
+constexpr long digits_of_values = 60;
+
+// p_i(a) and its errors.
+ball value_at(const model_set& of, std::size_t i, const std::vector<ball>& a) {
+    const taylor_model& model = of.models[i];
+    ball sum(0);
+    for (std::size_t k = 0; k < model.in().size(); ++k) {
+        ball term;
+        arf_set_d(arb_midref(term.handle()), model.coefficient(k));
+        for (std::size_t j = 0; j < a.size(); ++j) {
+            term *= pow(a[j], static_cast<long>(model.in().exponents(k)[j]));
+        }
+        sum += term;
+    }
+    return widened(sum, of.reach(i));
+}
+
+// y_i(t; p) for the numbers p of the box.
+using closed_form = std::function<ball(const ball& time, const std::vector<ball>& numbers)>;
+
+struct known_problem {
+    std::string text;
+    closed_form first;  // of the first unknown
+    double until;
+    long log2_of_errors;  // at that time
+};
+
+void check_steps(const known_problem& known, const std::vector<ball>& a) {
+    const equation_system given = parse(known.text);
+    const set_problem problem(given);
+    const number_box box = problem.box();
+    std::vector<ball> numbers;
+    for (std::size_t j = 0; j < box.size(); ++j) {
+        numbers.push_back(middle_of(box[j]) + radius_of(box[j]).exact() * a[j]);
+    }
+    model_march march(problem.system(), problem.states_of(box), box.size(), {});
+    const std::size_t place = problem.own().front();
+    ball end;
+    arf_set_d(arb_midref(end.handle()), known.until);
+    while (exactly_less(march.reached(), end)) {
+        INFO(known.text << " at " << text_of(march.reached()));
+        const ball there = known.first(march.reached(), numbers);
+        const ball here = value_at(march.set(), place, a);
+        INFO(text_of(here) << " should contain " << text_of(there));
+        CHECK(contains(here, there));
+        CHECK(contains(march.set().range(place), there));
+        CHECK(march.set().reach(place) <= magnitude::of(1, known.log2_of_errors));
+        const enclosed_step* const step = march.prepare_towards(end);
+        REQUIRE(step != nullptr);
+        const ball half = exact_multiple(step->length_of_step(), 1, -1);
+        CHECK(overlaps(step->values_at(half)[place], known.first(exact_sum(march.reached(), half), numbers)));
+        CHECK(contains(step->narrow_values_at(half)[place], known.first(exact_sum(march.reached(), half), numbers)));
+        march.take_prepared(1);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("Taylor models contain the solutions from every point of a box", "[ode][proved][sets][models]") {
+    const precision_scope scope(digits_of_values);
+    const std::vector<known_problem> problems = {
+        {"x' = x^2; x(0) = [1/2, 1]",
+         [](const ball& t, const std::vector<ball>& p) { return ball(p[0] / (ball(1) - p[0] * t)); }, 0.7, -18},
+        {"x' = b*x*(1 - x); x(0) = [1/10, 1/5]; b = [1, 3]",
+         [](const ball& t, const std::vector<ball>& p) {
+             return ball(p[0] / (p[0] + (ball(1) - p[0]) * exp(-(p[1] * t))));
+         },
+         2, -7},
+        {"x' = -y*(x^2 + y^2); y' = x*(x^2 + y^2); x(0) = [1/2, 1]; y(0) = 0",
+         [](const ball& t, const std::vector<ball>& p) { return ball(p[0] * cos(p[0] * p[0] * t)); }, 3, -8},
+        {"x' = exp(-x); x(0) = [0, 1]",
+         [](const ball& t, const std::vector<ball>& p) { return ball(log(exp(p[0]) + t)); }, 4, -12},
+    };
+    tests::corner_numbers from(4);
+    for (const known_problem& each : problems) {
+        for (int trial = 0; trial < 4; ++trial) {
+            std::vector<ball> a;
+            for (std::size_t j = 0; j < 2; ++j) {
+                a.push_back(from.half([&] { return ball(from.one_in(2) ? 1 : -1); },
+                                      [&] { return exact_multiple(ball(from.between(-1024, 1024)), 1, -10); }));
+            }
+            a.resize(set_problem(parse(each.text)).box().size(), ball(0));
+            check_steps(each, a);
+        }
+    }
+}
+
+}  // namespace ode_proved_sets_models_model_march_test
