@@ -109,4 +109,22 @@ TEST_CASE("Taylor models contain the solutions from every point of a box", "[ode
     }
 }
 
+TEST_CASE("the errors of a set of Taylor models move with the solutions of the whole set",
+          "[ode][proved][sets][models]") {
+    const precision_scope scope(digits_of_values);
+    // x(0) = 1/2 + a/4 + e, |e| <= 1/8: the largest one is 7/8, where the derivative is larger than at 3/4.
+    const explicit_system system(parse("x' = x^2; x(0) = 1/2"));
+    const auto part = [](long eighths) { return ball(ball(eighths) / 8); };
+    const state_set start{
+        {part(4)}, error_set({{part(2)}, {ball(1)}}, {1, 1}, {magnitude(1U), magnitude()}, {magnitude::of(1, -3)})};
+    model_march march(system, start, 1, {});
+    while (exactly_less(march.reached(), part(5))) {
+        const ball largest = part(7) / (ball(1) - part(7) * march.reached());
+        INFO(text_of(march.reached()));
+        CHECK_FALSE(certainly_less(upper_bound(value_at(march.set(), 0, {ball(1)})), largest));
+        REQUIRE(march.prepare_towards(ball(1)) != nullptr);
+        march.take_prepared(1);
+    }
+}
+
 }  // namespace ode_proved_sets_models_model_march_test

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "corner_numbers.hpp"
+#include "libration/ode/ball/step_pieces.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/ode/proved/sets/models/lifted_models.hpp"
 #include "libration/ode/proved/sets/models/model_range.hpp"
@@ -110,6 +111,15 @@ TEST_CASE("Taylor models contain the results of their operations", "[ode][proved
     }
 }
 
+TEST_CASE("products of Taylor models below the range of double are in their rests", "[ode][proved][sets][models]") {
+    const precision_scope scope(digits_of_values);
+    const monomial_set in(1, 2);
+    const ball small = exact_multiple(ball(1), 1, -600);
+    const taylor_model x(in, small, std::vector<ball>{small});
+    check_contains(product_coefficient({x}, {x}, 0), {ball(1)}, small * small * 4);
+    check_contains(small * x, {ball(1)}, small * small * 2);
+}
+
 TEST_CASE("a Taylor model on half of its box", "[ode][proved][sets][models]") {
     const precision_scope scope(digits_of_values);
     tests::corner_numbers from(2);
@@ -188,6 +198,14 @@ TEST_CASE("functions of Taylor models", "[ode][proved][sets][models]") {
                 CHECK((*found)[i].rest() <= magnitude::of(1, width == 1 ? -16 : -3));
             }
         }
+    }
+    // Powers beyond those of the path: 1/(2 + 0.45 a) has the coefficient 0.5 (0.225)^17 = 2^-37.6 of a^17.
+    const monomial_set many(1, 20);
+    const lifted_system inverse = lifted(explicit_system(parse("x' = 1/(2 + x); x(0) = 0")));
+    const auto far = lifted_models(inverse, {{many, ball(0), std::vector<ball>{ball(9) / 20}}});
+    REQUIRE(far);
+    for (const long end : {-1, 1}) {
+        CHECK(contains(value_at(far->back(), {ball(end)}), ball(1) / (ball(2) + ball(9 * end) / 20)));
     }
     // 1/(x + 2) is singular on the way.
     const monomial_set in(2, 4);

@@ -12,8 +12,8 @@ namespace {
 
 constexpr int order_of_paths = 16;
 constexpr int most_steps_of_paths = 64;
-// log2 of a step relative to the radius of theorem T: the tail of order 16 is 2^-51 of its bound.
-constexpr long log2_of_step = -3;
+// log2 of a step relative to the radius of theorem T: the tail of order 16 is 2^-34 of its bound.
+constexpr long log2_of_step = -2;
 
 expression direction(std::size_t i) { return unknown("direction " + std::to_string(i)); }
 
