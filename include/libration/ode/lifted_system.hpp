@@ -32,7 +32,7 @@ struct lifted_system {
     std::vector<gradient> gradients;
     /// leaves[k] is the leaf of unknown k.
     std::vector<expression> leaves;
-    /// The same derivatives as polynomials in all unknowns; empty for paths.
+    /// The derivatives of `gradients` as polynomials in all unknowns; empty in a path_form.
     std::vector<gradient> polynomial_gradients = {};
 };
 

@@ -41,14 +41,17 @@ void narrow_by(const set_run_result& times, set_run_result& run) {
 }  // namespace
 
 set_run_result best_run(const set_question& question, const number_box& part, bool with_derivatives) {
+    const auto sharp = [&](const set_run_result& of) { return is_sharp(question, of, part, with_derivatives); };
     set_run_result linear = question.enclosed_at_times(part, with_derivatives);
+    const bool is_linear = sharp(linear);
     long steps = linear.steps;
-    if (!is_sharp(question, linear, part, with_derivatives)) {
+    if (!is_linear || (question.has_spans() && is_wide(part))) {
         const ball start = constant_value<ball>::of(question.problem().system().point());
         const auto distance = [&](const set_run_result& of) { return magnitude(of.reached - start); };
         auto models = question.enclosed_by_models(part, with_derivatives);
         steps += models ? models->steps : 0;
-        if (models && (models->complete || (!linear.complete && distance(linear) < distance(*models)))) {
+        if (models && (models->complete ? !is_linear || sharp(*models)
+                                        : !linear.complete && distance(linear) < distance(*models))) {
             if (linear.complete) {
                 narrow_by(linear, *models);
             }

@@ -9,7 +9,8 @@
 namespace libration::ode {
 
 /// By theorem V; if that ends early, or if values that are not monotone are not close to linear on the part, by Taylor
-/// models, as far as these reach. Where both are complete their bounds hold together. Its steps are those of all runs.
+/// models, as far as these reach; and over spans of time from a wide part, for which they take less time, if they are
+/// close. Where both are complete their bounds at times hold together. Its steps are those of all runs.
 set_run_result best_run(const set_question& question, const number_box& part, bool with_derivatives);
 
 /// Below this share of the range of the whole box an excess is not worth a division.

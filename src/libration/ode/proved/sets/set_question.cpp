@@ -45,14 +45,18 @@ long bits_of_sets(const set_problem& of, long digits) {
                 "has an interval that a million bits do not distinguish from a number");
 }
 
+bool is_wide(const number_box& box) {
+    constexpr long narrow = -12;
+    return std::ranges::any_of(box, [](const closed_interval& each) {
+        const magnitude size = std::max(magnitude(each.lower), magnitude(each.upper));
+        return !(radius_of(each) <= size * magnitude::of(1, narrow));
+    });
+}
+
 proof_route route_for(const number_box& box, const proof_route& given) {
     constexpr int fewer_terms = 12;
     proof_route route = given;
-    const bool wide = std::ranges::any_of(box, [](const closed_interval& each) {
-        const magnitude size = std::max(magnitude(each.lower), magnitude(each.upper));
-        return !(radius_of(each) <= size * magnitude::of(1, -fewer_terms));
-    });
-    if (wide) {
+    if (is_wide(box)) {
         route.more_terms -= fewer_terms;
         route.integrator =
             given.integrator == integrator_choice::automatic ? integrator_choice::taylor : given.integrator;

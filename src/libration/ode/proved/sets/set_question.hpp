@@ -81,6 +81,9 @@ protected:
 /// bits do not.
 long bits_of_sets(const set_problem& of, long digits);
 
+/// Whether a number of the box varies by more than 2^-12 of its size.
+bool is_wide(const number_box& box);
+
 /// For wide boxes, whose steps are short because of their width: fewer terms, and not by collocation, which would take
 /// them for stiff.
 proof_route route_for(const number_box& box, const proof_route& given);

@@ -1,6 +1,7 @@
 // The sets of Taylor models against closed forms at points of the box.
 #include "libration/ode/proved/sets/models/model_march.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <functional>
 #include <string>
@@ -9,6 +10,7 @@
 #include "corner_numbers.hpp"
 #include "libration/ode/ball/step_pieces.hpp"
 #include "libration/ode/parse.hpp"
+#include "libration/ode/proved/proved_march.hpp"
 #include "libration/ode/proved/sets/set_problem.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
@@ -72,8 +74,12 @@ void check_steps(const known_problem& known, const std::vector<ball>& a) {
         const enclosed_step* const step = march.prepare_towards(end);
         REQUIRE(step != nullptr);
         const ball half = exact_multiple(step->length_of_step(), 1, -1);
-        CHECK(overlaps(step->values_at(half)[place], known.first(exact_sum(march.reached(), half), numbers)));
-        CHECK(contains(step->narrow_values_at(half)[place], known.first(exact_sum(march.reached(), half), numbers)));
+        const ball in_the_middle = known.first(exact_sum(march.reached(), half), numbers);
+        CHECK(contains(step->values_at(half)[place], in_the_middle));
+        CHECK(contains(step->narrow_values_at(half)[place], in_the_middle));
+        const ball whole = step->values_at(hull(ball(0), step->length_of_step()))[place];
+        CHECK(contains(whole, in_the_middle));
+        CHECK(contains(whole, there));
         march.take_prepared(1);
     }
 }
@@ -125,6 +131,96 @@ TEST_CASE("the errors of a set of Taylor models move with the solutions of the w
         REQUIRE(march.prepare_towards(ball(1)) != nullptr);
         march.take_prepared(1);
     }
+}
+
+TEST_CASE("a step of Taylor models is within the radius of its bounds", "[ode][proved][sets][models]") {
+    const precision_scope scope(digits_of_values);
+    // 1/(1 - t), without a width, beside unknowns that have one or not.
+    for (const std::string more : {"", "; y' = b; y(0) = 0", "; y' = y; y(0) = b", "; y' = -y; y(0) = b - b"}) {
+        INFO(more);
+        const set_problem problem(parse("x' = x^2; x(0) = 1 + 0*b; b = [1, 2]" + more));
+        model_march march(problem.system(), problem.states_of(problem.box()), 1, {});
+        while (march.prepare_towards(ball(2)) != nullptr) {
+            march.take_prepared(1);
+            REQUIRE(exactly_less(march.reached(), ball(1)));
+        }
+        CHECK(march.steps() > 0);
+    }
+    // From a box from which no solution reaches 3.
+    const set_problem wide(parse("x' = x^2 + y; y' = y; x(0) = [1/2, 1]; y(0) = [0, 1]"));
+    model_march march(wide.system(), wide.states_of(wide.box()), 2, {});
+    while (march.prepare_towards(ball(3)) != nullptr) {
+        march.take_prepared(1);
+        REQUIRE(exactly_less(march.reached(), ball(1)));
+    }
+}
+
+namespace {
+
+// A polynomial of at most degree 3 in the first `unknowns` of x, y, z, and sometimes the time or a function.
+std::string right_side(tests::corner_numbers& from, std::size_t unknowns) {
+    const std::vector<std::string> names = {"x", "y", "z"};
+    const std::vector<std::string> others = {"sin(x)", "exp(-x)/2", "1/(4 + x^2)", "cos(t)", "t/2"};
+    std::string text;
+    for (long terms = from.between(1, 3); terms > 0; --terms) {
+        text += (from.one_in(2) ? " + " : " - ") + std::to_string(from.between(1, 8)) + "/4";
+        for (long factors = from.between(0, 3); factors > 0; --factors) {
+            text += "*" + names[from.below(unknowns)];
+        }
+    }
+    return from.one_in(3) ? text + " + " + others[from.below(others.size())] : text;
+}
+
+}  // namespace
+
+TEST_CASE("solutions of random problems are in the sets of Taylor models", "[ode][proved][sets][models]") {
+    tests::corner_numbers from(5);
+    const std::vector<std::string> names = {"x", "y", "z"};
+    int compared = 0;
+    for (int trial = 0; trial < 30; ++trial) {
+        const auto unknowns = static_cast<std::size_t>(from.between(1, 3));
+        std::string text;
+        for (std::size_t i = 0; i < unknowns; ++i) {
+            const long centre = from.between(-8, 8);
+            const long width = from.between(1, 3);
+            text += names[i] + "' =" + right_side(from, unknowns) + "; " + names[i] + "(0) = [(" +
+                    std::to_string(centre - width) + ")/8, (" + std::to_string(centre + width) + ")/8]; ";
+        }
+        const int direction = from.one_in(4) ? -1 : 1;
+        INFO(text << direction);
+        const precision_scope scope(digits_of_values);
+        const set_problem problem(parse(text));
+        const number_box box = problem.box();
+        model_march march(problem.system(), problem.states_of(box), unknowns, {});
+        for (int step = 0; step < 12; ++step) {
+            const enclosed_step* const next = march.prepare_towards(ball(direction));
+            if (next == nullptr || next->reaches(ball(8))) {
+                break;
+            }
+            march.take_prepared(direction);
+        }
+        for (int corner = 0; march.steps() > 0 && corner < 3; ++corner) {
+            std::vector<ball> a;
+            for (std::size_t j = 0; j < unknowns; ++j) {
+                a.emplace_back(from.between(-1, 1));
+            }
+            std::vector<ball> start;
+            for (const std::string& name : problem.names()) {
+                const auto j =
+                    static_cast<std::size_t>(std::ranges::find(problem.sets(), name + "(0)") - problem.sets().begin());
+                start.push_back(middle_of(box[j]) + radius_of(box[j]).exact() * a[j]);
+            }
+            proved_march single(problem.system(), start, 120);
+            const auto there = single.at(march.reached());
+            REQUIRE(there);  // all solutions from the box exist
+            for (std::size_t i = 0; i < unknowns; ++i) {
+                INFO(text_of(value_at(march.set(), i, a)) << " should contain " << text_of((*there)[i]));
+                CHECK(contains(value_at(march.set(), i, a), (*there)[i]));
+                ++compared;
+            }
+        }
+    }
+    CHECK(compared > 100);
 }
 
 }  // namespace ode_proved_sets_models_model_march_test

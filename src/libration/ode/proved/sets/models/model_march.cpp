@@ -204,28 +204,29 @@ bool model_march::expand() {
     return now_->set_tail_.has_value();
 }
 
-// The longest step whose tails are small relative to the widths of the set; any length is valid.
-magnitude model_march::longest() const {
+// The longest step whose tails are small relative to the widths of the set, or to 2^-rounding_bits of unknowns without a
+// width.
+magnitude model_march::wanted_length() const {
     const std::size_t count = set_.models.size();
     const auto longest_by = [](const tail_bound& tail, std::size_t i, double allowed) {
         const double error = log_of(tail.error[i]);
-        return error == nothing ? log_of(tail.radius) - 1
-                                : log_of(tail.radius) + std::min(-1.0, (allowed - error) / (tail.degree + 1));
+        return error == nothing ? largest_tried : log_of(tail.radius) + (allowed - error) / (tail.degree + 1);
     };
     std::vector<double> widths;
     for (std::size_t i = 0; i < count; ++i) {
-        widths.push_back(log_of(set_.width(i)));
+        const magnitude rounding = set_.models[i].norm() * magnitude::of(1, -rounding_bits);
+        widths.push_back(log_of(std::max(set_.width(i), rounding)));
     }
     const double widest = *std::ranges::max_element(widths);
+    for (double& each : widths) {
+        each = each != nothing ? each : widest != nothing ? widest : 0;
+    }
     double least = largest_tried;
     for (std::size_t i = 0; i < count; ++i) {
-        const double width = widths[i] == nothing ? widest : widths[i];
-        least = std::min(least, longest_by(*now_->tail_, i, width + wanted_tail));
+        least = std::min(least, longest_by(*now_->tail_, i, widths[i] + wanted_tail));
         for (std::size_t j = 0; j < count; ++j) {
-            if (widths[j] != nothing) {
-                least = std::min(least, longest_by(*now_->set_tail_, count * (j + 1) + i,
-                                                   width - widths[j] + wanted_tail_of_derivative));
-            }
+            const double wanted = widths[i] - widths[j] + wanted_tail_of_derivative;
+            least = std::min(least, longest_by(*now_->set_tail_, count * (j + 1) + i, wanted));
         }
     }
     return power_of_two(least);
@@ -260,7 +261,8 @@ const enclosed_step* model_march::prepare_towards(const ball& /*rest*/) {
     if (is_lost() || !expand()) {
         return stopped(march_end::precision);
     }
-    now_->length_ = longest();
+    // Whatever is wanted: the bounds hold within their radii only.
+    now_->length_ = std::min({wanted_length(), now_->tail_->radius.shifted(-1), now_->set_tail_->radius.shifted(-1)});
     if (steps_ >= most_steps || now_->length_ <= magnitude(time_ - origin_) * magnitude::of(1, log2_of_shortest)) {
         return stopped(march_end::steps);
     }

@@ -84,7 +84,7 @@ private:
     void begin_from(const state_set& start);
     const enclosed_step* stopped(march_end why);
     bool expand();
-    magnitude longest() const;
+    magnitude wanted_length() const;
     bool is_lost() const;
 
     lifted_system lifted_;

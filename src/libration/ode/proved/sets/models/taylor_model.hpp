@@ -60,14 +60,17 @@ public:
     void add_to_rest(const magnitude& more) { rest_ += more; }
     void drop_rest() { rest_ = magnitude(); }
 
-    /// Bounds of the sum of the |c_i| of a degree, of all of them, and of these with the rest, which is one of |x|.
+    /// A bound of the sum of the |c_i| of one degree.
     magnitude norm(int degree) const;
+    /// Of the sum of all |c_i|.
     magnitude norm() const { return norm_from(0); }
+    /// Of |x(a)|, for all a: the sum of all |c_i| and the rest.
     magnitude size() const { return norm() + rest_; }
-    /// Of the |c_i| of all degrees from 1 on, which is one of |x - c_0| without the rest, and from 2 on.
+    /// Of the sum of the |c_i| of degrees from 1 on, hence of the distance of the polynomial from c_0.
     magnitude width() const { return norm_from(1); }
+    /// Of the sum of the |c_i| of degrees from 2 on.
     magnitude nonlinear_width() const { return norm_from(2); }
-    /// Of the |c_i| of the monomials of higher degree than 1 that contain a variable, times its exponent.
+    /// Of the sum of the |c_i| of degrees from 2 on, each times the exponent of a variable.
     magnitude nonlinear_share(std::size_t variable) const;
     /// A ball that contains x(a) for all a.
     ball range() const;
