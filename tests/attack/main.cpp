@@ -1,6 +1,6 @@
 // libration-attack motions [VALUES [SEED [THREADS]]]     random motions of the pendulum and elliptic functions
 // libration-attack print [VALUES]                        values of motions as CSV, for by_integers.py
-// libration-attack statements [QUESTIONS [SEED [THREADS]]]  statements about problems with closed forms
+// libration-attack statements [QUESTIONS [SEED [THREADS [KIND]]]]  statements about problems with closed forms
 // libration-attack statement INDEX [SEED]                one of these questions, and its statements
 // Exits with status 1 if a proved statement is false; 2 for wrong usage.
 #include <fmt/core.h>
@@ -23,7 +23,7 @@ int main(int count, char** words) {
         return print_motions(number(2, 1000));
     }
     if (what == "statements") {
-        return attack_statements(number(2, 2000), seed(3), number(4, 0));
+        return attack_statements(number(2, 2000), seed(3), number(4, 0), count > 5 ? words[5] : "");
     }
     if (what == "statement" && count > 2) {
         return attack_statement(number(2, 0), seed(3));

@@ -2,12 +2,15 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <mutex>
+#include <string>
 #include <thread>
+#include <utility>
 
 #include "attack/question.hpp"
 #include "libration/scalar/ball/ball.hpp"
@@ -37,8 +40,8 @@ struct kind_counts {
 
 class attack_run {
 public:
-    attack_run(long questions, unsigned long seed)
-        : questions_(questions), seed_(seed), counts_(statement_kinds().size()) {}
+    attack_run(long questions, unsigned long seed, std::string kind = "")
+        : questions_(questions), seed_(seed), kind_(std::move(kind)), counts_(statement_kinds().size()) {}
 
     // One question by itself, with all of its statements.
     void print_question(long index) {
@@ -53,7 +56,9 @@ public:
 
     void work() {
         for (long i = next_++; i < questions_; i = next_++) {
-            ask(i);
+            if (is_run(kind_of(i))) {
+                ask(i);
+            }
         }
         flint_cleanup();
     }
@@ -68,16 +73,19 @@ public:
     void print() const {
         fmt::print(
             "# Statements against independent truth\n\n"
-            "What became of the statements of `libration-attack statements {} {}` (tests/attack): numbers and\n"
+            "What became of the statements of `libration-attack statements {} {}{}` (tests/attack): numbers and\n"
             "bounds that are called proved, and the facts that refusals state. *Refused* are questions without an\n"
             "answer, whose message states no fact or facts that hold; *undecided* are those whose truth is not\n"
             "known well enough, or that had no answer in {} s of processor time.\n\n",
-            questions_, seed_, seconds_of_a_question.count());
+            questions_, seed_, kind_.empty() ? "" : fmt::format(" 0 '{}'", kind_), seconds_of_a_question.count());
         fmt::print(
             "| kind | what is stated | questions | statements | proved and right | refused | undecided | false |\n"
             "|---|---|---:|---:|---:|---:|---:|---:|\n");
         kind_counts sum;
         for (std::size_t k = 0; k < counts_.size(); ++k) {
+            if (!is_run(k)) {
+                continue;
+            }
             print_row(statement_kinds()[k].name, statement_kinds()[k].about, counts_[k]);
             sum.questions += counts_[k].questions;
             for (std::size_t v = 0; v < verdicts; ++v) {
@@ -114,6 +122,8 @@ public:
     }
 
 private:
+    bool is_run(std::size_t which) const { return kind_.empty() || kind_ == statement_kinds()[which].name; }
+
     outcome answered(std::size_t which, long index) const {
         choices next(seed_ * 1'000'000'007UL + static_cast<unsigned long>(index));
         outcome result;
@@ -152,6 +162,7 @@ private:
 
     long questions_;
     unsigned long seed_;
+    std::string kind_;
     std::atomic<long> next_{0};
     std::vector<kind_counts> counts_;
     std::mutex mutex_;
@@ -160,8 +171,13 @@ private:
 
 }  // namespace
 
-int attack_statements(long questions, unsigned long seed, long threads) {
-    attack_run run(questions, seed);
+int attack_statements(long questions, unsigned long seed, long threads, const std::string& kind) {
+    if (!kind.empty() && std::ranges::find(statement_kinds(), kind, &statement_kind::name) == statement_kinds().end()) {
+        fmt::print(stderr, "no kind of statements is named '{}'; use a name of the first column of results/attack.md\n",
+                   kind);
+        return 2;
+    }
+    attack_run run(questions, seed, kind);
     const std::jthread watching([&](const std::stop_token& stop) { run.watch(stop); });
     {
         std::vector<std::jthread> workers;

@@ -2,6 +2,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
 
 #include "attack/question.hpp"
 #include "libration/ode/proved/sets/set_events.hpp"
@@ -65,35 +69,90 @@ outcome ask_event_of_set(choices& next) {
         });
 }
 
+// Equations whose solutions from x(0) > 0 are monotone in the time, in x(0) and in a > 0.
+struct monotone_family {
+    std::string slope;
+    bool grows;  ///< with the time and with a; else it decays with both
+    std::function<mpfr(const mpfr& start, const mpfr& rate, const mpfr& time)> value;
+    /// When the solution ends; empty if it does not.
+    std::function<mpfr(const mpfr& start, const mpfr& rate)> end = {};
+};
+
+monotone_family any_family(choices& next) {
+    switch (next.below(4)) {
+        case 0:
+            return {"-a*x", false, [](const auto& c, const auto& a, const auto& t) { return decayed(false, c, a, t); }};
+        case 1:
+            return {"-a*x^3", false,
+                    [](const auto& c, const auto& a, const auto& t) { return decayed(true, c, a, t); }};
+        case 2:
+            return {"a*x^2", true,
+                    [](const auto& c, const auto& a, const auto& t) { return mpfr(c / (1 - a * c * t)); },
+                    [](const auto& c, const auto& a) { return mpfr(1 / (a * c)); }};
+        default:
+            return {"a*(1 + x^2)", true,
+                    [](const auto& c, const auto& a, const auto& t) { return mpfr(tan(mpfr(a * t + atan(c)))); },
+                    [](const auto& c, const auto& a) { return mpfr((pi_value() / 2 - atan(c)) / a); }};
+    }
+}
+
+// [c, c + width], or c itself, in half of the cases without a width.
+std::string interval(const constant& c, const rational& width, choices& next) {
+    return width == 0 && next.one_in(2) ? c.text : fmt::format("[{0}, {0} + {1}]", c.text, width.str());
+}
+
+// Equations that do not change x: with sets, with single solutions, and with a set that has no effect.
+std::string any_others(choices& next) {
+    const std::vector<std::string> others = {"; y' = y; y(0) = 0", "; y' = b*y; y(0) = 1; b = [1, 2]",
+                                             "; y' = -y; y(0) = b - b; b = [1, 2]",
+                                             "; y' = x*y; y(0) = 0*b; b = [-1, 1]"};
+    return next.one_in(3) ? "" : others[next.below(others.size())];
+}
+
 outcome ask_values_of_set(choices& next) {
-    const bool cubic = next.one_in(2);
+    const monotone_family family = any_family(next);
     const constant least = any_constant(next);
     const constant rate = any_constant(next);
     const rational width(next.one_in(2) ? 0 : next.between(1, 20), 100);
-    const rational growth(next.between(0, 20), 100);
-    const rational time = decimal_fraction(next.between(1, 2000), 3);
-    const std::string text = fmt::format("x' = -a*x{0}; x(0) = [{1}, {1} + {2}]; a = [{3}, {3} + {4}]",
-                                         cubic ? "^3" : "", least.text, width.str(), rate.text, growth.str());
-    return answered(fmt::format("libration reference --problem \"{}\" --time {}", text, time.str()),
-                    [&](outcome& result) {
-                        const auto found = ode::enclosed_solutions(
-                            ode::parse(text), {.spans = {ode::at_time(time_number(time.str()))}, .most_parts = 8},
-                            [](const ball&, long) { require_time_left(); });
-                        if (!found.values.front().empty()) {
-                            const auto& within = found.values.front().front();
-                            const truth below = [&] {
-                                return decayed(cubic, least.value(), rate.value() + real(growth), real(time));
-                            };
-                            const truth above = [&] {
-                                return decayed(cubic, least.value() + real(width), rate.value(), real(time));
-                            };
-                            result.add(judged_end(within.lower, below, -1), "the lower bound of x");
-                            result.add(judged_end(within.upper, above, 1), "the upper bound of x");
-                        }
-                        if (found.missing) {
-                            result.add(verdict::refused, found.missing->what());
-                        }
-                    });
+    const rational growth(next.one_in(2) ? 0 : next.between(1, 20), 100);
+    const truth end = [&] { return family.end(least.value() + real(width), rate.value() + real(growth)); };
+    // Also times at which some of the solutions or all of them have ended.
+    constexpr double beyond_the_end = 1.3;
+    const double longest = family.end ? beyond_the_end * rough(end) : 2;
+    const rational to = decimal_fraction(next.between(1, std::max(1L, std::lround(longest * 1000))), 3);
+    const rational from = next.one_in(3) ? rational(to * next.between(0, 4) / 5) : to;
+    const std::string others = any_others(next);
+    // At least one set, hence a = [c, c] beside a single initial value if nothing else is one.
+    const std::string start = interval(least, width, next);
+    const bool is_set = start.front() == '[' || others.find('[') != std::string::npos;
+    const std::string text = fmt::format(
+        "x' = {}; x(0) = {}; a = {}{}", family.slope, start,
+        is_set ? interval(rate, growth, next) : fmt::format("[{0}, {0} + {1}]", rate.text, growth.str()), others);
+    const std::string when = from == to ? "--times " + to.str() : fmt::format("--over {}:{}", from.str(), to.str());
+    return answered(fmt::format("libration reference --problem \"{}\" {}", text, when), [&](outcome& result) {
+        const auto found = ode::enclosed_solutions(
+            ode::parse(text), {.spans = {{time_number(from.str()), time_number(to.str())}}, .most_parts = 8},
+            [](const ball&, long) { require_time_left(); });
+        if (!found.values.front().empty()) {
+            const auto& within = found.values.front().front();
+            const bool ended = family.end && sign_of([&] { return mpfr(real(to) - end()); }) >= 0;
+            const auto extreme = [&](bool greatest) {
+                const bool late = greatest == family.grows;
+                return [&, greatest, late] {
+                    return family.value(least.value() + real(greatest ? width : rational(0)),
+                                        rate.value() + real(late ? growth : rational(0)), real(late ? to : from));
+                };
+            };
+            const auto add = [&](const ball& bound, bool upper, const std::string& name) {
+                result.add(ended ? verdict::wrong : judged_end(bound, extreme(upper), upper ? 1 : -1), name);
+            };
+            add(within.lower, false, "the lower bound of x");
+            add(within.upper, true, "the upper bound of x");
+        }
+        if (found.missing) {
+            result.add(verdict::refused, found.missing->what());
+        }
+    });
 }
 
 }  // namespace
