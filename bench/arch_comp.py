@@ -36,17 +36,26 @@ class Enclosures:
         self.line += ["--parts", str(parts)] if parts else []
         self.steps = 0
 
-    def over(self, spans):
-        """(lower, upper) of each unknown, for each of the spans."""
-        ran = subprocess.run([*self.line, "--over", spans, "--format", "csv"], capture_output=True, text=True, check=False)
+    def rows(self, *options):
+        """The rows of the table of the command with these options."""
+        ran = subprocess.run([*self.line, *options, "--format", "csv"], capture_output=True, text=True, check=False)
         counted = re.search(r" (\d+) steps?[,\n]", ran.stderr)
         self.steps += int(counted[1]) if counted else 0
         if ran.returncode != 0:
             raise Undecided(ran.stderr.strip().splitlines()[-1])
+        return list(csv.DictReader(io.StringIO(ran.stdout)))
+
+    def over(self, spans):
+        """(lower, upper) of each unknown, for each of the spans."""
         bounds = {}
-        for row in csv.DictReader(io.StringIO(ran.stdout)):
+        for row in self.rows("--over", spans):
             bounds.setdefault((row["from"], row["to"]), {})[row["unknown"]] = Decimal(row["lower"]), Decimal(row["upper"])
         return list(bounds.values())
+
+    def numbers_of_events(self, condition, before):
+        """The possible numbers of events before a time."""
+        rows = self.rows("--until", condition, "--before", before, "--how-many")
+        return {int(row["events"]) for row in rows}
 
 
 def width(bounds):
@@ -76,6 +85,13 @@ def van_der_pol(enclosures):
     return all(span[name][1] < Decimal("2.75") for span in spans for name in ("y1", "y2")), None
 
 
+def lotka_volterra(enclosures):
+    """All solutions cross the circle two or four times; the area of the box at time 3.64."""
+    numbers = enclosures.numbers_of_events("(x - 1)^2 + (y - 1)^2 = 0.161^2", "3.64")
+    last = enclosures.over("3.64:3.64")[0]
+    return numbers <= {2, 4}, width(last["x"]) * width(last["y"])
+
+
 def quadrotor(enclosures):
     """The height is below 1.4, from time 1 on above 0.9, and within 0.02 of 1 at time 5."""
     spans = enclosures.over("0:5:5")
@@ -90,6 +106,7 @@ INSTANCES = [
     ("ROBE25", "1", "robe25", ["b=100", "c=1000"], None, robertson),
     ("ROBE25", "2", "robe25", ["b=1000", "c=1e5"], None, robertson),
     ("ROBE25", "3", "robe25", ["b=1000", "c=1e7"], None, robertson),
+    ("LOVO25", "", "lovo25", [], 64, lotka_volterra),
     ("CVDP23", "", "cvdp23", [], 64, van_der_pol),
     ("LALO20", "W001", "lalo20", ["W=0.01"], 1, laub_loomis(Decimal("4.5"))),
     ("LALO20", "W005", "lalo20", ["W=0.05"], 64, laub_loomis(Decimal("4.5"))),

@@ -83,6 +83,36 @@ TEST_CASE("reference --until prints bounds of the events of all solutions", "[co
     CHECK_THAT(done.err, Catch::Contains("event '1' is not found before that time: 0 were found for b in [1.0000"));
 }
 
+// The amplitude of x is in [0.5, 2].
+TEST_CASE("reference --how-many prints the possible numbers of events", "[command][sets]") {
+    const words line{"reference", "--problem", "x'' = -x; x(0) = 0; x'(0) = [0.5, 2]", "--until", "x = 1"};
+    const auto with = [&](const words& more) {
+        words all = line;
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    };
+    CHECK(bounds_by(with({"--before", "3", "--how-many"})) == "events  0 or 2\n");
+    const auto rows = rows_by(with({"--before", "3", "--how-many", "--crossing", "up"}));
+    REQUIRE(rows.size() == 2);
+    CHECK(rows[1].at("events") == "1");
+    CHECK(rows[1].at("rigour") == "proved");
+    CHECK(bounds_by({"reference", "--problem", "x'' = -x; x(0) = 1; x'(0) = 0", "--until", "x = 0", "--before", "9",
+                     "--how-many"}) == "events  3\n");
+    const auto done = run_libration(with({"--before", "pi/6", "--how-many", "--parts", "4"}));
+    CHECK(done.exit_code == 1);
+    CHECK(done.out.empty());
+    CHECK_THAT(done.err, Catch::Contains("number of events before '0.523598775598' is not decided: the condition may "
+                                         "hold in [0."));
+    check_refused(with({"--how-many"}), {"--how-many", "--before"});
+    check_refused(with({"--before", "3", "--how-many", "--count", "2"}), {"--count", "'2'", "--how-many"});
+    check_refused(with({"--before", "3", "--how-many", "--horizon", "9"}), {"--horizon", "'9'", "--how-many"});
+    check_refused(with({"--before", "3", "--how-many", "--from-start"}), {"--from-start", "--how-many"});
+    check_refused(with({"--before", "3", "--how-many", "--check"}), {"--check", "--how-many"});
+    check_refused(with({"--before", "1,2", "--how-many"}), {"--before", "'1,2'"});
+    check_refused(with({"--before", "0", "--how-many"}), {"--before", "'0'"});
+    check_refused({"reference", "--problem", "pendulum", "--times", "1", "--how-many"}, {"--how-many", "--until"});
+}
+
 TEST_CASE("reference --over prints bounds over spans of time", "[command][sets]") {
     const auto rows = rows_by({"reference", "--problem", "x' = x; x(0) = 1", "--over", "0:1:4"});
     REQUIRE(rows.size() == 4);
@@ -101,9 +131,8 @@ TEST_CASE("the parts of a set are stated on stderr, and what is known beyond the
                                      "--parts", "8", "--format", "csv"});
     CHECK(done.exit_code == 1);
     CHECK_THAT(done.err, Catch::Contains("was enclosed in 8 parts and "));
-    CHECK_THAT(done.err,
-               Catch::Contains("time '1' is not reached by every solution: all of them are proved to exist "
-                               "up to 0."));
+    CHECK_THAT(done.err, Catch::Contains("time '1' is not reached by every solution: all of them are proved to exist "
+                                         "up to 0."));
     CHECK(csv_rows(done.out).size() == 1);
 }
 

@@ -38,6 +38,7 @@ TAYLOR_MODELS = "ode/proved/sets/models/taylor_model_test.cpp"
 MODEL_MARCH = "ode/proved/sets/models/model_march_test.cpp"
 MODELS = "src/libration/ode/proved/sets/models/"
 SET_EVENTS = "ode/proved/sets/set_events_test.cpp"
+EVENT_COUNTS = "ode/proved/sets/event_counts_test.cpp"
 SYSTEMS = "ode/singularity/systems_test.cpp"
 EVENTS = "ode/proved/proved_events_test.cpp"
 DELAYS = "ode/delay/delay_trajectory_test.cpp"
@@ -490,6 +491,15 @@ FAULTS = [
         ("the slope at the start forgotten", "start.at_zero ? values.of(slope_) : value", "ball(1)"),
         ("an event across the end of the search", "known_sign(lower_bound(left)) < 0",
          "known_sign(upper_bound(left)) < 0"),
+    ),
+    *in_file(
+        "src/libration/ode/proved/sets/event_counts.cpp", [EVENT_COUNTS],
+        ("two events in a window forgotten", "return {0, asked_.way == crossing::any ? 2 : 1};", "return {0};"),
+        ("the sign of the curvature ignored", "|| before * curvature < 0", "|| before * curvature != 0"),
+        ("the curvature at the beginning of a window alone", "(*cells[i].signs)[function] != first", "false"),
+        ("no event in a window that reaches the end", "return {};  // the sign at its end is not proved", "return {0};"),
+        ("the numbers of the last part alone", "counts.insert(found.counts.begin(), found.counts.end());",
+         "counts = found.counts;"),
     ),
     *in_file(
         "src/libration/ode/proved/events/event_search.cpp", [SET_EVENTS],

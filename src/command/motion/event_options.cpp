@@ -47,6 +47,8 @@ void event_options::add_to(CLI::App& command) {
                     fmt::format("maximum number of steps without an event (default {}; none with --before)",
                                 ode::event_search::usual_horizon))
         ->type_name("STEPS");
+    command.add_flag("--how-many", how_many_,
+                     "with --before: how many events there are, for a set of solutions each possible number");
 }
 
 void event_options::require_none() const {
@@ -58,6 +60,9 @@ void event_options::require_none() const {
     }
     if (from_start_) {
         throw input_error("--from-start requires --until: add --until \"x = 0\"");
+    }
+    if (how_many_) {
+        throw input_error("--how-many requires --until: add --until \"x = 0\"");
     }
 }
 
@@ -71,6 +76,18 @@ bool event_options::given(const problem_options& problem) const {
     return until_.has_value();
 }
 
+namespace {
+
+ode::number read_end(const std::string& before) {
+    const auto end = times_of_problem(before);
+    if (end.size() != 1) {
+        throw input_error("--before", before, "is a list", "write one time");
+    }
+    return as_expression(end.front());
+}
+
+}  // namespace
+
 template <class Request>
 void event_options::read_into(Request& request) const {
     if (way_) {
@@ -83,11 +100,7 @@ void event_options::read_into(Request& request) const {
         request.horizon = positive_count("--horizon", *horizon_, most_steps, "steps");
     }
     if (before_) {
-        const auto end = times_of_problem(*before_);
-        if (end.size() != 1) {
-            throw input_error("--before", *before_, "is a list", "write one time");
-        }
-        request.before = as_expression(end.front());
+        request.before = read_end(*before_);
     }
 }
 
@@ -97,6 +110,25 @@ ode::set_event_request event_options::request_for_sets() const {
     }
     ode::set_event_request request{.condition = *until_};
     read_into(request);
+    return request;
+}
+
+ode::event_count_request event_options::request_for_counts() const {
+    if (!before_) {
+        throw input_error("--how-many requires a time: add --before TIME");
+    }
+    for (const auto& [option, value] : {std::pair("--count", count_), std::pair("--horizon", horizon_)}) {
+        if (value) {
+            throw input_error(option, *value, "is given together with --how-many", "leave one out");
+        }
+    }
+    if (from_start_) {
+        throw input_error("--from-start is not supported with --how-many: leave it out");
+    }
+    ode::event_count_request request{.condition = *until_, .before = read_end(*before_)};
+    if (way_) {
+        request.way = way_of(*way_);
+    }
     return request;
 }
 

@@ -8,11 +8,12 @@
 
 #include "equation/problem_options.hpp"
 #include "libration/ode/proved/proved_events.hpp"
+#include "libration/ode/proved/sets/event_counts.hpp"
 #include "libration/ode/proved/sets/set_events.hpp"
 
 namespace libration {
 
-/// --until "x = 0" and the options that depend on it: --count, --crossing, --before, --from-start, --horizon.
+/// --until "x = 0" and the options that depend on it: --count, --crossing, --before, --from-start, --horizon, --how-many.
 class event_options {
 public:
     void add_to(CLI::App& command);
@@ -24,6 +25,10 @@ public:
     ode::event_request request(const problem_options& problem, const ode::explicit_system& system) const;
     /// The same for all solutions of a set. Throws input_error also for --from-start.
     ode::set_event_request request_for_sets() const;
+    /// Whether the number of events is requested: --how-many.
+    bool asks_how_many() const { return how_many_; }
+    /// Throws input_error also for what determines single events, and without --before.
+    ode::event_count_request request_for_counts() const;
 
 private:
     void require_none() const;
@@ -32,7 +37,7 @@ private:
     void read_into(Request& request) const;
 
     std::optional<std::string> until_, count_, way_, before_, horizon_;
-    bool from_start_ = false;
+    bool from_start_ = false, how_many_ = false;
 };
 
 }  // namespace libration

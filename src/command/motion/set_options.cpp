@@ -60,17 +60,24 @@ std::string counted(std::size_t count, const std::string& one) {
     return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
 
-template <class Found>
-void state_parts(const Found& found, const ode::equation_system& equations) {
-    const auto steps = counted(static_cast<std::size_t>(found.steps), "step");
+void state_parts(std::size_t parts, long all_steps, std::size_t faces, const ode::equation_system& equations) {
+    const auto steps = counted(static_cast<std::size_t>(all_steps), "step");
     if (equations.sets.empty()) {
         say_line("the solution was enclosed in " + steps);
         return;
     }
-    const std::string faces = counted(found.faces, "face") + " of it";
-    say_line(fmt::format("the set of initial values and parameters was enclosed in {} and {}{}",
-                         counted(found.parts, "part"), steps,
-                         found.faces == 0 ? "" : ", and bounds of monotone values are those on " + faces));
+    say_line(fmt::format(
+        "the set of initial values and parameters was enclosed in {} and {}{}", counted(parts, "part"), steps,
+        faces == 0 ? "" : ", and bounds of monotone values are those on " + counted(faces, "face") + " of it"));
+}
+
+// "2", "2 or 4", "0, 2 or 4".
+std::string text_of_counts(const std::vector<long>& counts) {
+    std::string text;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        text += (i == 0 ? "" : i + 1 < counts.size() ? ", " : " or ") + std::to_string(counts[i]);
+    }
+    return text;
 }
 
 // The result of a function of a callback that shows the time reached.
@@ -208,7 +215,7 @@ partial_table set_options::enclosures(const problem_options& problem, const std:
         return with_progress(
             [&](const auto& watch) { return ode::enclosed_solutions(equations, request, watch, route); });
     });
-    state_parts(found, equations);
+    state_parts(found.parts, found.steps, found.faces, equations);
     return table_of_enclosures(
         found, decimals, over_ ? std::vector<column>{{"from", ""}, {"to", ""}} : std::vector<column>{{"time", ""}},
         typed, digits);
@@ -222,8 +229,34 @@ partial_table set_options::events(const problem_options& problem, ode::set_event
     const auto found = naming_option(option_of(problem), [&] {
         return with_progress([&](const auto& watch) { return ode::enclosed_events(equations, request, watch, route); });
     });
-    state_parts(found, equations);
+    state_parts(found.parts, found.steps, found.faces, equations);
     return table_of_events(found, digits);
+}
+
+partial_table set_options::event_counts(const problem_options& problem, ode::event_count_request request, long digits,
+                                        const ode::proof_route& route) const {
+    const auto equations = problem.equations();
+    request.most_parts = most_parts();
+    request.digits = digits;
+    const auto counts = [&] {
+        try {
+            return with_progress(
+                [&](const auto& watch) { return ode::event_counts(equations, request, watch, route); });
+        } catch (const error& problem_of_time) {
+            if (problem_of_time.subject() != "before") {
+                throw;
+            }
+            throw input_error("--before '" + problem_of_time.value() + "' " + problem_of_time.reason());
+        }
+    };
+    const auto found = naming_option(option_of(problem), counts);
+    state_parts(found.parts, found.steps, 0, equations);
+    partial_table result{table(std::vector<column>{{"events", ""}, {"rigour", ""}}), "", "", found.missing, {}};
+    for (const long count : found.counts) {
+        result.rows.add_row({number_cell(std::to_string(count)), "proved"});
+    }
+    result.text = found.counts.empty() ? "" : "events  " + text_of_counts(found.counts) + "\n";
+    return result;
 }
 
 }  // namespace libration

@@ -10,6 +10,7 @@
 
 #include "equation/problem_options.hpp"
 #include "equation/solution_table.hpp"
+#include "libration/ode/proved/sets/event_counts.hpp"
 #include "libration/ode/proved/sets/set_events.hpp"
 #include "libration/ode/proved/sets/solution_sets.hpp"
 
@@ -36,6 +37,9 @@ public:
     /// input_error.
     partial_table events(const problem_options& problem, ode::set_event_request request, long digits,
                          const ode::proof_route& route) const;
+    /// The possible numbers of events: rows events,rigour. Throws input_error.
+    partial_table event_counts(const problem_options& problem, ode::event_count_request request, long digits,
+                               const ode::proof_route& route) const;
 
 private:
     std::vector<exact> ends_of_spans() const;

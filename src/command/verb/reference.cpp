@@ -273,13 +273,17 @@ void require_no_extras_of_sets(const reference_options& options, const char* rea
     }
 }
 
-// The events of all solutions of a set.
+// The events of all solutions of a set, or how many there are.
 int write_events_of_sets(const reference_options& options, long digits) {
-    require_no_extras_of_sets(options, "is not supported with sets of initial values and parameters");
+    const bool how_many = options.events.asks_how_many();
+    require_no_extras_of_sets(options, how_many ? "is not supported with --how-many"
+                                                : "is not supported with sets of initial values and parameters");
     ode::proof_route route;
     route.integrator = options.integrator.choice();
-    const auto found = integrator_options::naming(
-        [&] { return options.sets.events(options.problem, options.events.request_for_sets(), digits, route); });
+    const auto found = integrator_options::naming([&] {
+        return how_many ? options.sets.event_counts(options.problem, options.events.request_for_counts(), digits, route)
+                        : options.sets.events(options.problem, options.events.request_for_sets(), digits, route);
+    });
     if (found.has_output()) {
         options.output.write(found.rows, found.text);
     }
@@ -295,7 +299,7 @@ int write_events(const reference_options& options, long digits) {
         throw input_error("--times", *options.times, "is given together with --until, which finds the times",
                           "leave one out");
     }
-    if (set_options::has_sets(options.problem)) {
+    if (set_options::has_sets(options.problem) || options.events.asks_how_many()) {
         return write_events_of_sets(options, digits);
     }
     const auto system = options.problem.choose_first_branch();

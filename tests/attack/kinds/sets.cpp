@@ -1,4 +1,4 @@
-// Enclosures of all solutions of a set: they contain those from its ends.
+// Enclosures of all solutions of a set contain those from its ends, and the numbers of events those of the ends.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "attack/question.hpp"
+#include "libration/ode/proved/sets/event_counts.hpp"
 #include "libration/ode/proved/sets/set_events.hpp"
 #include "libration/ode/proved/sets/solution_sets.hpp"
 #include "libration/scalar/ball/predicates.hpp"
@@ -155,8 +156,57 @@ outcome ask_values_of_set(choices& next) {
     });
 }
 
+// How often a sin t changes from one side of a level to the other before a time.
+long crossings(const truth& a, const truth& level, const rational& before) {
+    long count = 0;
+    for (bool later = sign_of([&] { return mpfr(a() - level()); }) > 0; later; ++count) {
+        const auto time = [&] {
+            const mpfr first = asin(mpfr(level() / a()));
+            return mpfr((count % 2 == 0 ? first : mpfr(pi_value() - first)) + 2 * pi_value() * (count / 2));
+        };
+        if (sign_of([&] { return mpfr(real(before) - time()); }) <= 0) {
+            break;
+        }
+    }
+    return count;
+}
+
+outcome ask_counts_of_set(choices& next) {
+    const constant least = any_constant(next);
+    const constant level = any_constant(next);
+    const rational width(next.one_in(3) ? 0 : next.between(1, 50), 100);
+    const rational before(next.between(1, 1200), 100);
+    const std::string text = fmt::format("x'' = -x; x(0) = 0; x'(0) = [{0}, {0} + {1}]", least.text, width.str());
+    const std::string condition = "x = " + level.text;
+    return answered(
+        fmt::format("libration reference --problem \"{}\" --until \"{}\" --before {} --how-many", text, condition,
+                    before.str()),
+        [&](outcome& result) {
+            const auto found = ode::event_counts(
+                ode::parse(text), {.condition = condition, .before = time_number(before.str()), .most_parts = 8},
+                [](const ball&, long) { require_time_left(); });
+            if (found.missing) {
+                result.add(verdict::refused, found.missing->what());
+                return;
+            }
+            for (const rational& more : {rational(0), rational(width / 2), width}) {
+                const long count = crossings([&] { return mpfr(least.value() + real(more)); }, level.value, before);
+                const bool listed = std::ranges::find(found.counts, count) != found.counts.end();
+                result.add(listed ? verdict::right : verdict::wrong,
+                           fmt::format("{} events for the least value + {}", count, more.str()));
+            }
+        });
+}
+
 }  // namespace
 
-outcome ask_set(choices& next) { return next.one_in(2) ? ask_event_of_set(next) : ask_values_of_set(next); }
+outcome ask_set(choices& next) {
+    switch (next.below(5)) {
+        case 0: return ask_counts_of_set(next);
+        case 1:
+        case 2: return ask_event_of_set(next);
+        default: return ask_values_of_set(next);
+    }
+}
 
 }  // namespace libration::attack

@@ -18,6 +18,25 @@ double ratio_of_widths(const magnitude& a, const magnitude& b) { return std::exp
 
 }  // namespace
 
+std::optional<std::size_t> widest_side(const number_box& part, const number_box& whole) {
+    std::optional<std::size_t> widest;
+    double most = 0;
+    for (std::size_t j = 0; j < part.size(); ++j) {
+        const double share = has_width(part[j]) ? ratio_of_widths(radius_of(part[j]), radius_of(whole[j])) : 0;
+        if (share > most) {
+            most = share;
+            widest = j;
+        }
+    }
+    return widest;
+}
+
+std::array<number_box, 2> halves(const number_box& box, std::size_t side) {
+    std::array<number_box, 2> result{box, box};
+    result[0][side].upper = result[1][side].lower = middle_of(box[side]);
+    return result;
+}
+
 divided_box::divided_box(number_box whole, const set_question& question, bool with_derivatives, std::size_t most_parts)
     : whole_(std::move(whole)), question_(question), with_derivatives_(with_derivatives) {
     parts_.push_back(enclosed(whole_));
@@ -27,9 +46,7 @@ divided_box::divided_box(number_box whole, const set_question& question, bool wi
         if (!next) {
             break;
         }
-        number_box upper = parts_[next->part].box;
-        number_box lower = upper;
-        lower[next->side].upper = upper[next->side].lower = middle_of(upper[next->side]);
+        const auto [lower, upper] = halves(parts_[next->part].box, next->side);
         parts_[next->part] = enclosed(lower);
         parts_.push_back(enclosed(upper));
         unite();
@@ -97,25 +114,11 @@ std::optional<divided_box::division> divided_box::next_division() const {
     return !wide || !may_divide ? std::nullopt : index_of_first_end() ? of_ending_part() : of_widest_part();
 }
 
-// The side of a part that is widest relative to the whole box.
-std::size_t divided_box::widest_side(const part& of) const {
-    std::size_t widest = 0;
-    double most = -1;
-    for (std::size_t j = 0; j < whole_.size(); ++j) {
-        const double share = has_width(whole_[j]) ? ratio_of_widths(radius_of(of.box[j]), radius_of(whole_[j])) : -1;
-        if (share > most) {
-            most = share;
-            widest = j;
-        }
-    }
-    return widest;
-}
-
 // The part that ends first, along the side that contributes most to the width of a value there.
 std::optional<divided_box::division> divided_box::of_ending_part() const {
     const std::size_t index = *index_of_first_end();
     const part& ends = parts_[index];
-    division found{index, widest_side(ends)};
+    division found{index, widest_side(ends.box, whole_).value_or(0)};
     double most = 0;
     for (const width_shares& shares : ends.run.shares) {
         const magnitude sum = std::accumulate(shares.begin(), shares.end(), magnitude());
@@ -156,7 +159,7 @@ std::optional<divided_box::division> divided_box::of_widest_part() const {
 }
 
 std::size_t divided_box::least_certain_side(const part& of, std::size_t image, std::size_t value) const {
-    std::size_t found = widest_side(of);
+    std::size_t found = widest_side(of.box, whole_).value_or(0);
     magnitude largest;
     const set_image& here = *of.run.images[image];
     for (std::size_t j = 0; j < whole_.size(); ++j) {

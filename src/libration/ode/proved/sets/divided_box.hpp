@@ -1,6 +1,7 @@
 // A box of initial values and parameters in parts, each with the enclosures of its solutions.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -8,6 +9,12 @@
 #include "set_question.hpp"
 
 namespace libration::ode {
+
+/// The side of a part that is widest relative to the whole box; std::nullopt if none has a width. For choices.
+std::optional<std::size_t> widest_side(const number_box& part, const number_box& whole);
+
+/// A box divided in the middle of a side.
+std::array<number_box, 2> halves(const number_box& box, std::size_t side);
 
 /// The parts of a box and what their runs prove; how it is divided affects no proof.
 class divided_box {
@@ -40,7 +47,6 @@ private:
     std::optional<division> next_division() const;
     std::optional<division> of_ending_part() const;
     std::optional<division> of_widest_part() const;
-    std::size_t widest_side(const part& of) const;
     std::size_t least_certain_side(const part& of, std::size_t image, std::size_t value) const;
 
     number_box whole_;
