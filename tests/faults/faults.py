@@ -664,6 +664,12 @@ FAULTS = [
         ("an unknown determined by its own logarithm", "if (implicit == terms.size()) {", "if (true) {"),
     ),
     *in_file(
+        "src/libration/ode/delay/delay_system.cpp", [DELAYS],
+        ("the time of an earlier slope forgotten", "return leaf - expression(delay);", "return leaf;"),
+        ("the delay of an earlier value forgotten", "return parameter(name_of(leaf, delay, {}, false));", "return leaf;"),
+        ("the slope of the history beyond the initial point", "each.delay >= passed", "each.delay + 1 >= passed"),
+    ),
+    *in_file(
         "src/libration/ode/delay/proved/delay_march.hpp", [DELAYS],
         ("the bound of a step forgotten", "with_error(value_of(made_.series[k], length), own.value)",
          "value_of(made_.series[k], length)"),

@@ -180,6 +180,8 @@ TEST_CASE("the catalogue has the problems it promises", "[problem][catalogue]") 
                                    "mackey_glass",
                                    "infectious_disease",
                                    "wille_baker",
+                                   "food_limited",
+                                   "neutral_predator_prey",
                                    "wheldon"};
     for (const char group : std::string("abcde")) {
         for (const char which : std::string("12345")) {

@@ -1,7 +1,8 @@
 // Solutions with a constant delay, which are polynomials between breaking points.
 #include <fmt/core.h>
 
-#include <vector>
+#include <algorithm>
+#include <string>
 
 #include "attack/question.hpp"
 #include "libration/ode/delay/proved/delay_events.hpp"
@@ -69,9 +70,45 @@ outcome ask_event_of_delay(const delayed_growth& growth, choices& next) {
         });
 }
 
+// x' = b x'(t - d) + c t, x = s t for t <= 0: the slope is b^(n + 1) s and the sum over k = 0 .. n of c b^k (t - k d)
+// between n d and (n + 1) d.
+outcome ask_neutral(choices& next) {
+    const constant b = any_constant(next);
+    const constant c = any_constant(next);
+    const constant s = any_constant(next);
+    const rational delay(next.between(3, 9), 5);
+    const rational time = decimal_fraction(next.between(1, 6000), 3);
+    const long digits = next.between(1, 40);
+    const std::string text =
+        fmt::format("x' = {}*x'(t - {}) + {}*t; x(t <= 0) = {}*t", b.text, constant_of(delay).text, c.text, s.text);
+    const std::string typed = time.str();
+    const truth exact = [&] {
+        mpfr sum = 0;
+        mpfr power = 1;
+        for (long k = 0; delay * k < time; ++k) {
+            const mpfr rest = real(rational(time - delay * k));
+            sum += c.value() * power * rest * rest / 2;
+            power *= b.value();
+            sum += power * s.value() * real(std::min(delay, rational(time - delay * k)));
+        }
+        return sum;
+    };
+    return answered(fmt::format("libration reference --problem \"{}\" --time {} --digits {}", text, typed, digits),
+                    [&](outcome& result) {
+                        const ode::number at = time_number(typed);
+                        const auto found =
+                            ode::proved_part_of_delay(ode::delay_system(ode::parse(text), at), {at}, digits,
+                                                      [](const ball&, long) { require_time_left(); });
+                        add_first_value(result, found, digits, exact, "x");
+                    });
+}
+
 }  // namespace
 
 outcome ask_delay(choices& next) {
+    if (next.one_in(3)) {
+        return ask_neutral(next);
+    }
     const delayed_growth growth{any_constant(next), constant_of(rational(next.between(3, 9), 5)), any_constant(next)};
     if (next.one_in(2)) {
         return ask_event_of_delay(growth, next);

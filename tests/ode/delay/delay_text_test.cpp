@@ -101,7 +101,10 @@ TEST_CASE("delays that are not supported have their reasons", "[ode][parse][dela
     check_rejected("x' = -x(t - x); x(t <= 0) = 1", "has a delay that is not constant: write x(t - delay)");
     check_rejected("x' = -x(t/2); x(t <= 0) = 1", "has a delay that is not constant");
     check_rejected("x' = -x(t - k); x(t <= 0) = 1; k = -1", "has a delay that is not positive");
-    check_rejected("x' = -x'(t - 1); x(t <= 0) = 1", "is a delayed highest derivative, of a neutral equation");
+    check_rejected("x' = -x''(t - 1); x(t <= 0) = 1", "is a delayed derivative that is higher than the highest one");
+    check_rejected("2*x' = -x'(t - 1); x(t <= 0) = 1", "is delayed, which is supported only with an equation x' = ...");
+    check_rejected("x' = y' + x'(t - 1); y' = 1; x(t <= 0) = 1; y(0) = 1", "has a highest derivative on the right");
+    check_rejected("x' = -x'(t - 1); x(0) = 1", "is delayed and has no history: add x(t <= 0) = number");
     check_rejected("x' = -x(t - 1); x(0) = 1", "is delayed and has no history: add x(t <= 0) = number");
     check_rejected("x' = -x(t - 1); x(t <= 0) = 1; x(0) = 1", "has a history, which contains the initial value");
     check_rejected("x' = -x; x(t <= 0) = 1", "has a history and is not delayed");

@@ -2,6 +2,7 @@
 // ordinary equations that another integrator proves.
 #include "libration/ode/delay/proved/delay_trajectory.hpp"
 
+#include <boost/math/constants/constants.hpp>
 #include <catch2/catch.hpp>
 #include <map>
 #include <string>
@@ -226,6 +227,97 @@ TEST_CASE("enclosures contain solutions whose errors grow", "[ode][delay][proved
     // By the value itself, like e^(3 t).
     check_enclosures("x' = 3*x - 2*exp(1)*y(t - 1); y' = y; x(0) = 1; y(t <= 0) = exp(t)", {1, 2, 3, 4},
                      [&](std::size_t i) { return exp(ball(static_cast<int>(i) + 1)); });
+}
+
+namespace {
+
+partial_trajectory neutral_values(const std::string& text, const std::vector<number>& times) {
+    return proved_part_of_delay(delay_system(parse(text), times.back()), times, digits);
+}
+
+// y' = r y (1 - y(t - 1) - c y'(t - 1)), y = 2 + t for t <= 0, at the integer `last`: on parts of so many equal lengths, each by
+// a Taylor polynomial, whose delayed ones are those of the part a unit of time earlier.
+mpfr food_limited(long last, int parts, int order) {
+    const mpfr h = mpfr(1) / parts;
+    const mpfr pi = boost::math::constants::pi<mpfr>();
+    const mpfr r = pi / sqrt(mpfr(3)) + mpfr(1) / 20;
+    const mpfr c = sqrt(mpfr(3)) / (2 * pi) - mpfr(1) / 25;
+    using series = std::vector<mpfr>;
+    std::vector<series> earlier;
+    for (int i = 0; i < parts; ++i) {
+        series line(static_cast<std::size_t>(order) + 1, mpfr(0));
+        line[0] = 1 + i * h;
+        line[1] = 1;
+        earlier.push_back(line);
+    }
+    mpfr start = 2;
+    for (long unit_of_time = 0; unit_of_time < last; ++unit_of_time) {
+        for (series& old : earlier) {
+            series now{start};
+            series factor;  // 1 - y(t - 1) - c y'(t - 1)
+            for (std::size_t n = 0; n < static_cast<std::size_t>(order); ++n) {
+                factor.push_back((n == 0 ? 1 : 0) - old[n] - c * (n + 1) * old[n + 1]);
+                mpfr sum = 0;
+                for (std::size_t k = 0; k <= n; ++k) {
+                    sum += now[k] * factor[n - k];
+                }
+                now.push_back(r * sum / (n + 1));
+            }
+            start = 0;
+            for (std::size_t n = now.size(); n-- > 0;) {
+                start = start * h + now[n];
+            }
+            old = now;
+        }
+    }
+    return start;
+}
+
+}  // namespace
+
+TEST_CASE("neutral equations have the values of closed forms", "[ode][delay][proved]") {
+    const precision_scope scope(80);
+    // The slope is n + 2 between n and n + 1.
+    const auto stairs = neutral_values("x' = x'(t - 1) + 1; x(t <= 0) = t", times_of({1, rational(5, 2), 3}));
+    CHECK(agrees(stairs.states[0][0], mpfr(2)));
+    CHECK(agrees(stairs.states[1][0], mpfr(7)));
+    CHECK(agrees(stairs.states[2][0], mpfr(9)));
+    // t + (t - 1) + ... with n + 1 terms.
+    const auto ramps = neutral_values("x' = x'(t - 1) + t; x(t <= 0) = 0", times_of({2, 3}));
+    CHECK(agrees(ramps.states[0][0], mpfr(5) / 2));
+    CHECK(agrees(ramps.states[1][0], mpfr(7)));
+    // e^t, sin t, and t^2 with two delays, whose sums are equal in several ways.
+    const auto growth = neutral_values("x' = (x + exp(1)*x'(t - 1))/2; x(t <= 0) = exp(t)", times_of({rational(7, 2)}));
+    CHECK(agrees(growth.states[0][0], exp(mpfr(7) / 2)));
+    const auto wave = neutral_values("x'' = -x''(t - pi); x(t <= 0) = sin(t)", times_of({1, 8}));
+    CHECK(agrees(wave.states[0][0], sin(mpfr(1))));
+    CHECK(agrees(wave.states[1][0], sin(mpfr(8))));
+    CHECK(agrees(wave.states[1][1], cos(mpfr(8))));
+    const auto square = neutral_values(
+        "x' = (x'(t - 1) + 2)/3 + 2*(x'(t - 1/2) + 1)/3; y' = x'(t - 1/2) + 1; "
+        "x(t <= 0) = t^2; y(0) = 0",
+        times_of({rational(3, 4), rational(7, 2)}));
+    for (const auto& [i, exact] : {std::pair(0U, mpfr(9) / 16), std::pair(1U, mpfr(49) / 4)}) {
+        CHECK(agrees(square.states[i][0], exact));
+        CHECK(agrees(square.states[i][1], exact));
+    }
+}
+
+// Problem E1 of Paul's test set.
+TEST_CASE("a neutral equation has the values of another method of two orders", "[ode][delay][proved]") {
+    const precision_scope scope(80);
+    const std::string text =
+        "y' = r*y*(1 - y(t - 1) - c*y'(t - 1)); y(t <= 0) = 2 + t; r = pi/sqrt(3) + 1/20; c = sqrt(3)/(2*pi) - 1/25";
+    const auto found = neutral_values(text, times_of({1, 2, 6}));
+    for (const auto& [i, time] : {std::pair(0, 1), std::pair(1, 2), std::pair(2, 6)}) {
+        const mpfr exact = food_limited(time, 8, 60);
+        CHECK(abs(exact - food_limited(time, 10, 64)) < mpfr("1e-40"));
+        CHECK(agrees(found.states[static_cast<std::size_t>(i)][0], exact));
+    }
+    // Beyond the last time of the system.
+    const auto beyond = proved_part_of_delay(delay_system(parse(text), number(rational(1))), times_of({3}), digits);
+    CHECK(beyond.states[0].empty());
+    CHECK(beyond.missing);
 }
 
 TEST_CASE("solutions that do not reach a time say up to where they do", "[ode][delay][proved]") {

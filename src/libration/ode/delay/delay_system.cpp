@@ -50,6 +50,13 @@ expression derivative_of_leaf(const std::string& name, const explicit_system& sy
     return {};
 }
 
+// All parameters replaced.
+expression with_parameters(const expression& e, const std::map<std::string, expression>& values) {
+    return replaced(e, [&](const expression& leaf) {
+        return leaf.kind() == node_kind::parameter ? std::optional(values.at(leaf.name())) : std::nullopt;
+    });
+}
+
 // All leaves with numbers for the parameters that are not delayed values.
 parameter_values parameters_of(const equation_system& given) {
     std::map<std::string, expression> open;
@@ -61,7 +68,7 @@ parameter_values parameters_of(const equation_system& given) {
 
 }  // namespace
 
-delay_system::delay_system(const equation_system& given) : given_(given) {
+delay_system::delay_system(const equation_system& given, const std::optional<number>& last) : given_(given) {
     if (given.delays.empty()) {
         const history& first = given.histories.front();
         refuse(first.unknown, first.at,
@@ -81,6 +88,8 @@ delay_system::delay_system(const equation_system& given) : given_(given) {
     read_histories(parameters);
     read_delays(parameters);
     given_.parameters.clear();
+    expand_slopes(last);
+    order_delays();
     read_starts();
 }
 
@@ -108,32 +117,117 @@ void delay_system::read_histories(parameter_values& parameters) {
 }
 
 void delay_system::read_delays(parameter_values& parameters) {
-    std::vector<number> all;
-    for (const delayed_value& each : given_.delays) {
+    std::vector<delayed_value> values;
+    for (delayed_value& each : given_.delays) {
         const std::string name = primed(each.of.name(), each.of.derivative());
         const int order = given_.order_of(each.of.name());
-        if (each.of.derivative() >= std::max(order, 1)) {
-            refuse(name, each.at,
-                   "is a delayed highest derivative, of a neutral equation, which is not supported: delay lower "
-                   "derivatives only");
+        if (each.of.derivative() > order || order == 0) {
+            refuse(name, each.at, "is a delayed derivative that is higher than the highest one of its equation");
         }
         if (history_of(each.of.name()) == nullptr) {
             const std::string form = each.of.name() + "(" + given_.variable + " <= 0)";
             refuse(name, each.at, "is delayed and has no history: add " + form + " = number");
         }
-        all.push_back(parameters.number_of(each.delay));
-        if (all.back().sign() <= 0) {
+        each.delay = expression(parameters.number_of(each.delay));
+        if (each.delay.constant().sign() <= 0) {
             refuse(name, each.at, "has a delay that is not positive: choose a positive one");
         }
+        if (each.of.derivative() == order) {
+            slopes_.push_back({.value = each});
+        } else {
+            values.push_back(each);
+        }
     }
-    delays_ = all;
+    given_.delays = std::move(values);
+}
+
+// The right-hand side of x' = ..., without other highest derivatives.
+expression delay_system::right_side_of(const delayed_value& slope) const {
+    const std::string name = primed(slope.of.name(), slope.of.derivative());
+    const auto own =
+        std::ranges::find_if(given_.equations, [&](const equation& each) { return same_form(each.left, slope.of); });
+    if (own == given_.equations.end()) {
+        refuse(name, slope.at, "is delayed, which is supported only with an equation " + name + " = ...: solve for it");
+    }
+    each_leaf(own->right, [&](const expression& leaf) {
+        if (leaf.kind() == node_kind::unknown && leaf.derivative() >= given_.order_of(leaf.name())) {
+            refuse(name, slope.at,
+                   "is delayed, and its equation has a highest derivative on the right-hand side: replace that");
+        }
+    });
+    return own->right;
+}
+
+// The parameter that represents an unknown or a derivative at an earlier time.
+std::string delay_system::name_of(const expression& of, const number& delay, const place& at, bool is_slope) {
+    const auto is_it = [&](const delayed_value& each) {
+        return same_form(each.of, of) && (each.delay.constant() - delay).sign() == 0;
+    };
+    const delayed_value made{"delayed " + std::to_string(given_.delays.size() + slopes_.size() + 1), of,
+                             expression(delay), at};
+    if (is_slope) {
+        const auto found = std::ranges::find_if(slopes_, is_it, &delayed_slope::value);
+        return found != slopes_.end() ? found->value.parameter : slopes_.emplace_back(made).value.parameter;
+    }
+    const auto found = std::ranges::find_if(given_.delays, is_it);
+    return found != given_.delays.end() ? found->parameter : given_.delays.emplace_back(made).parameter;
+}
+
+// An expression in the unknowns and delayed values with the variable less a delay.
+expression delay_system::earlier(const expression& e, const number& delay) {
+    return replaced(e, [&](const expression& leaf) -> std::optional<expression> {
+        if (leaf.kind() == node_kind::variable) {
+            return leaf - expression(delay);
+        }
+        if (leaf.kind() == node_kind::unknown) {
+            return parameter(name_of(leaf, delay, {}, false));
+        }
+        const auto slope =
+            std::ranges::find(slopes_, leaf.name(), [](const delayed_slope& each) { return each.value.parameter; });
+        const bool is_slope = slope != slopes_.end();
+        const delayed_value of =
+            is_slope ? slope->value : *std::ranges::find(given_.delays, leaf.name(), &delayed_value::parameter);
+        return parameter(name_of(of.of, of.delay.constant() + delay, of.at, is_slope));
+    });
+}
+
+// Each expansion may add further slopes, with longer delays.
+void delay_system::expand_slopes(const std::optional<number>& last) {
+    for (std::size_t i = 0; i < slopes_.size(); ++i) {
+        const delayed_value slope = slopes_[i].value;
+        const expression right = right_side_of(slope);
+        const number delay = slope.delay.constant();
+        if (last && (*last - given_.histories.front().point.constant() - delay).sign() >= 0) {
+            const expression expanded = earlier(right, delay);
+            slopes_[i].right = expanded;
+            slopes_[i].is_expanded = true;
+        }
+    }
+}
+
+void delay_system::order_delays() {
+    for (const delayed_value& each : given_.delays) {
+        delays_.push_back(each.delay.constant());
+    }
+    for (const delayed_slope& each : slopes_) {
+        delays_.push_back(each.value.delay.constant());
+    }
     std::ranges::sort(delays_, [](const number& a, const number& b) { return (a - b).sign() < 0; });
     const auto is_same = [](const number& a, const number& b) { return (a - b).sign() == 0; };
     delays_.erase(std::unique(delays_.begin(), delays_.end(), is_same), delays_.end());
-    for (const number& each : all) {
-        const auto found = std::ranges::find_if(delays_, [&](const number& d) { return (d - each).sign() == 0; });
-        delayed_.push_back({0, static_cast<std::size_t>(found - delays_.begin())});
+    const auto index_of = [&](const delayed_value& of) {
+        const auto found =
+            std::ranges::find_if(delays_, [&](const number& each) { return (each - of.delay.constant()).sign() == 0; });
+        return static_cast<std::size_t>(found - delays_.begin());
+    };
+    for (const delayed_value& each : given_.delays) {
+        delayed_.push_back({0, index_of(each)});
     }
+    for (delayed_slope& each : slopes_) {
+        each.delay = index_of(each.value);
+    }
+    // The right-hand side of a slope contains slopes of longer delays only.
+    std::ranges::sort(slopes_, [](const delayed_slope& a, const delayed_slope& b) { return a.delay > b.delay; });
 }
 
 void delay_system::read_starts() {
@@ -162,15 +256,38 @@ const history* delay_system::history_of(const std::string& unknown) const {
     return found == given_.histories.end() ? nullptr : &*found;
 }
 
-// The delayed value of this index as long as it is that of the history.
-expression delay_system::of_history(std::size_t delayed) const {
-    const expression& of = given_.delays[delayed].of;
+// A delayed value as long as it is that of the history.
+expression delay_system::of_history(const expression& of, std::size_t delay) const {
     expression value = history_of(of.name())->value;
     for (int j = 0; j < of.derivative(); ++j) {
         value = partial(value, ode::variable());
     }
-    const expression earlier = ode::variable() - expression(delays_[delayed_[delayed].delay]);
-    return replaced(value, [&](const expression&) { return std::optional(earlier); });
+    const expression before = ode::variable() - expression(delays_[delay]);
+    return replaced(value, [&](const expression&) { return std::optional(before); });
+}
+
+// Instead of the parameters that represent them.
+std::map<std::string, expression> delay_system::delayed_values(std::size_t passed) const {
+    std::map<std::string, expression> values;
+    for (std::size_t i = 0; i < delayed_.size(); ++i) {
+        const delayed_value& each = given_.delays[i];
+        if (delayed_[i].delay < passed) {
+            values.emplace(each.parameter, unknown(each.parameter));
+        } else if (history_of(each.of.name()) != nullptr) {
+            values.emplace(each.parameter, of_history(each.of, delayed_[i].delay));
+        }
+    }
+    for (const delayed_slope& each : slopes_) {
+        if (each.delay >= passed) {
+            values.emplace(each.value.parameter, of_history(each.value.of, each.delay));
+        } else if (each.is_expanded) {
+            values.emplace(each.value.parameter, with_parameters(each.right, values));
+        } else {
+            throw error(error_kind::undecided, "time", "",
+                        "is beyond the last one for which the delayed highest derivatives are known");
+        }
+    }
+    return values;
 }
 
 // With the starts of the given system.
@@ -178,19 +295,10 @@ equation_system delay_system::equations(std::size_t passed) const {
     equation_system result = given_;
     result.delays.clear();
     result.histories.clear();
-    std::map<std::string, expression> values;
-    for (std::size_t i = 0; i < delayed_.size(); ++i) {
-        const std::string& name = given_.delays[i].parameter;
-        values.emplace(name, delayed_[i].delay < passed ? unknown(name) : of_history(i));
-    }
-    const auto with_delayed = [&](const expression& e) {
-        return replaced(e, [&](const expression& leaf) {
-            return leaf.kind() == node_kind::parameter ? std::optional(values.at(leaf.name())) : std::nullopt;
-        });
-    };
+    const auto values = delayed_values(passed);
     for (equation& each : result.equations) {
-        each.left = with_delayed(each.left);
-        each.right = with_delayed(each.right);
+        each.left = with_parameters(each.left, values);
+        each.right = with_parameters(each.right, values);
     }
     return result;
 }

@@ -40,12 +40,23 @@ answer delay_solution::states(const std::vector<exact>& times, const request& ho
     return proves ? proved_states(at, how) : rounded_states(at, how);
 }
 
+// With the stages up to the last of the times.
+ode::delay_system delay_solution::system_to(const std::vector<ode::number>& times) const {
+    if (!system_.is_neutral() || times.empty()) {
+        return system_;
+    }
+    const auto last =
+        std::ranges::max_element(times, [](const ode::number& a, const ode::number& b) { return (a - b).sign() < 0; });
+    return ode::delay_system(equations_, *last);
+}
+
 answer delay_solution::proved_states(const std::vector<ode::number>& times, const request& how) const {
     const auto checked = checked_products(how.check);
     const long digits = how.printed_digits();
-    const auto found = ode::proved_part_of_delay(system_, times, digits, watch_of(system_.point(), times, how));
+    const ode::delay_system system = system_to(times);
+    const auto found = ode::proved_part_of_delay(system, times, digits, watch_of(system.point(), times, how));
     if (how.check) {
-        const auto other = ode::proved_part_of_delay(system_, times, digits + ode::more_digits_of_second_proof);
+        const auto other = ode::proved_part_of_delay(system, times, digits + ode::more_digits_of_second_proof);
         require_agreement(found, other, quantities());
     }
     return answer_of(quantities(), found);
@@ -54,9 +65,10 @@ answer delay_solution::proved_states(const std::vector<ode::number>& times, cons
 answer delay_solution::rounded_states(const std::vector<ode::number>& times, const request& how) const {
     answer result{.names = quantities(), .rows = {}, .rigour = "heuristic"};
     result.rows.resize(times.size());
+    const ode::delay_system system = system_to(times);
     const precision_scope wide(how.scalar.digits + digits_beyond_result);
     with_scalar(how.scalar, 0, [&]<class T>() {
-        auto part = ode::part_of_delay<T>(system_, times, watch_of(system_.point(), times, how));
+        auto part = ode::part_of_delay<T>(system, times, watch_of(system.point(), times, how));
         for (std::size_t i = 0; i < times.size(); ++i) {
             for (const T& value : part.states[i].front()) {
                 result.rows[i].push_back({to_decimal(widen(value), how.printed_digits()), ""});

@@ -31,6 +31,7 @@ protected:
     answer proved_radius(const series_request& of, const request& how) const override;
 
 private:
+    ode::delay_system system_to(const std::vector<ode::number>& times) const;
     answer proved_states(const std::vector<ode::number>& times, const request& how) const;
     answer rounded_states(const std::vector<ode::number>& times, const request& how) const;
 

@@ -7,8 +7,9 @@
 namespace libration::ode {
 
 /// As searched_events, by theorems E and M, forwards: g is in the unknowns, their lower derivatives and the variable, and
-/// not in delayed values. The slopes of the unknowns are continuous from the initial point on. Throws error of the kind
-/// argument for `before` before the initial point, where the solution is the history.
+/// not in delayed values. The slopes of the unknowns are continuous from the initial point on, but not those of neutral
+/// equations: throws error of the kind argument for them, and for `before` before the initial point, where the solution
+/// is the history.
 event_report searched_delay_events(const delay_system& system, const event_request& request, long digits,
                                    const event_watch& watch = {});
 

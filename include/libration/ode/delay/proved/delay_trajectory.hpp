@@ -13,7 +13,8 @@ namespace libration::ode {
 /// The unknowns and their lower derivatives at times from the initial point on, in any order: `digits` significant
 /// digits each, proved by the method of steps with theorem M, in runs with increasing precision. `missing` is an error
 /// of the kind undecided where the steps become too small, as near a singularity, and for values that are not
-/// distinguished from 0. Throws error of the kind argument for times before the initial point. A step ends where a
+/// distinguished from 0, and for times beyond the last one of the system. Throws error of the kind argument for times
+/// before the initial point. A step ends where a
 /// delayed value passes the end of one of its own steps, so that with several incommensurable delays their number grows as
 /// that of the breaking points does. Errors of delayed values are intervals: the bits that this costs are added to the
 /// precision.

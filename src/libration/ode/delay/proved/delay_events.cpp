@@ -60,6 +60,10 @@ event_report searched_delay_events(const delay_system& system, const event_reque
         throw error(error_kind::argument, "time", text_of_time(*request.before),
                     "is before the initial point, where the solution is the history: choose a time after it");
     }
+    if (system.is_neutral()) {
+        throw error(error_kind::argument, "problem", "",
+                    "is not supported with a delayed highest derivative, where slopes jump: choose times");
+    }
     return delay_event_runs(system, request, digits, watch).result();
 }
 
