@@ -162,8 +162,10 @@ TEST_CASE("every problem with delays is proved, and the same in double", "[probl
         INFO(each.name);
         ++count;
         const auto x = solve(given);
-        const answer proved = x->states("25", proved_digits(25));
-        const answer rounded = x->states("25", {.scalar = {scalar_kind::binary64, 17}});
+        // A neutral equation has as many delays as pieces, and the pieces of this one have the length 0.42.
+        const std::string time = each.name == "neutral_predator_prey" ? "4" : "25";
+        const answer proved = x->states(time, proved_digits(25));
+        const answer rounded = x->states(time, {.scalar = {scalar_kind::binary64, 17}});
         CHECK(rounded.rigour == "heuristic");
         for (const std::string& name : x->quantities()) {
             const mpfr exact = printed(proved, 0, name);
