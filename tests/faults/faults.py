@@ -666,7 +666,7 @@ FAULTS = [
     *in_file(
         "src/libration/ode/delay/delay_system.cpp", [DELAYS],
         ("the time of an earlier slope forgotten", "return leaf - expression(delay);", "return leaf;"),
-        ("the delay of an earlier value forgotten", "return parameter(name_of(leaf, delay, {}, false));", "return leaf;"),
+        ("the delay of an earlier value forgotten", "return delayed(leaf, delay, {});", "return leaf;"),
         ("the slope of the history beyond the initial point", "each.delay >= passed", "each.delay + 1 >= passed"),
     ),
     *in_file(

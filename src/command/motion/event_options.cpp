@@ -32,6 +32,14 @@ ode::crossing way_of(const std::string& word) {
     return word == "up" ? ode::crossing::up : ode::crossing::down;
 }
 
+ode::number read_end(const std::string& before) {
+    const auto end = times_of_problem(before);
+    if (end.size() != 1) {
+        throw input_error("--before", before, "is a list", "write one time");
+    }
+    return as_expression(end.front());
+}
+
 }  // namespace
 
 void event_options::add_to(CLI::App& command) {
@@ -75,18 +83,6 @@ bool event_options::given(const problem_options& problem) const {
     }
     return until_.has_value();
 }
-
-namespace {
-
-ode::number read_end(const std::string& before) {
-    const auto end = times_of_problem(before);
-    if (end.size() != 1) {
-        throw input_error("--before", before, "is a list", "write one time");
-    }
-    return as_expression(end.front());
-}
-
-}  // namespace
 
 template <class Request>
 void event_options::read_into(Request& request) const {

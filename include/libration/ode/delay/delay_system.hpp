@@ -70,13 +70,12 @@ public:
     explicit_system first_equations() const { return explicit_system(equations(0)); }
 
 private:
-    /// A delayed highest derivative, and the right-hand side of its equation at the earlier time, empty if that is not
-    /// needed up to the last time.
+    /// A delayed highest derivative, and the right-hand side of its equation at the earlier time; std::nullopt if that is
+    /// not needed up to the last time.
     struct delayed_slope {
         delayed_value value;
         std::size_t delay = 0;
-        expression right = {};
-        bool is_expanded = false;
+        std::optional<expression> right = {};
     };
 
     void read_histories(parameter_values& parameters);
@@ -86,7 +85,7 @@ private:
     void read_starts();
     expression right_side_of(const delayed_value& slope) const;
     expression earlier(const expression& e, const number& delay);
-    std::string name_of(const expression& of, const number& delay, const place& at, bool is_slope);
+    expression delayed(const expression& of, const number& delay, const place& at);
     const history* history_of(const std::string& unknown) const;
     expression of_history(const expression& of, std::size_t delay) const;
     std::map<std::string, expression> delayed_values(std::size_t passed) const;

@@ -159,35 +159,35 @@ expression delay_system::right_side_of(const delayed_value& slope) const {
 }
 
 // The parameter that represents an unknown or a derivative at an earlier time.
-std::string delay_system::name_of(const expression& of, const number& delay, const place& at, bool is_slope) {
+expression delay_system::delayed(const expression& of, const number& delay, const place& at) {
     const auto is_it = [&](const delayed_value& each) {
         return same_form(each.of, of) && (each.delay.constant() - delay).sign() == 0;
     };
     const delayed_value made{"delayed " + std::to_string(given_.delays.size() + slopes_.size() + 1), of,
                              expression(delay), at};
-    if (is_slope) {
+    if (of.derivative() == given_.order_of(of.name())) {
         const auto found = std::ranges::find_if(slopes_, is_it, &delayed_slope::value);
-        return found != slopes_.end() ? found->value.parameter : slopes_.emplace_back(made).value.parameter;
+        return parameter(found != slopes_.end() ? found->value.parameter : slopes_.emplace_back(made).value.parameter);
     }
     const auto found = std::ranges::find_if(given_.delays, is_it);
-    return found != given_.delays.end() ? found->parameter : given_.delays.emplace_back(made).parameter;
+    return parameter(found != given_.delays.end() ? found->parameter : given_.delays.emplace_back(made).parameter);
 }
 
-// An expression in the unknowns and delayed values with the variable less a delay.
+// An expression at an earlier time: in the unknowns, delayed values and the variable.
 expression delay_system::earlier(const expression& e, const number& delay) {
     return replaced(e, [&](const expression& leaf) -> std::optional<expression> {
         if (leaf.kind() == node_kind::variable) {
             return leaf - expression(delay);
         }
         if (leaf.kind() == node_kind::unknown) {
-            return parameter(name_of(leaf, delay, {}, false));
+            return delayed(leaf, delay, {});
         }
         const auto slope =
             std::ranges::find(slopes_, leaf.name(), [](const delayed_slope& each) { return each.value.parameter; });
-        const bool is_slope = slope != slopes_.end();
-        const delayed_value of =
-            is_slope ? slope->value : *std::ranges::find(given_.delays, leaf.name(), &delayed_value::parameter);
-        return parameter(name_of(of.of, of.delay.constant() + delay, of.at, is_slope));
+        const delayed_value of = slope != slopes_.end()
+                                     ? slope->value
+                                     : *std::ranges::find(given_.delays, leaf.name(), &delayed_value::parameter);
+        return delayed(of.of, of.delay.constant() + delay, of.at);
     });
 }
 
@@ -198,9 +198,8 @@ void delay_system::expand_slopes(const std::optional<number>& last) {
         const expression right = right_side_of(slope);
         const number delay = slope.delay.constant();
         if (last && (*last - given_.histories.front().point.constant() - delay).sign() >= 0) {
-            const expression expanded = earlier(right, delay);
+            const expression expanded = earlier(right, delay);  // which may move slopes_
             slopes_[i].right = expanded;
-            slopes_[i].is_expanded = true;
         }
     }
 }
@@ -280,8 +279,8 @@ std::map<std::string, expression> delay_system::delayed_values(std::size_t passe
     for (const delayed_slope& each : slopes_) {
         if (each.delay >= passed) {
             values.emplace(each.value.parameter, of_history(each.value.of, each.delay));
-        } else if (each.is_expanded) {
-            values.emplace(each.value.parameter, with_parameters(each.right, values));
+        } else if (each.right) {
+            values.emplace(each.value.parameter, with_parameters(*each.right, values));
         } else {
             throw error(error_kind::undecided, "time", "",
                         "is beyond the last one for which the delayed highest derivatives are known");

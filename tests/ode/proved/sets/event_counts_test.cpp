@@ -2,7 +2,9 @@
 #include "libration/ode/proved/sets/event_counts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -60,11 +62,42 @@ TEST_CASE("solutions of a set have one number of events or several", "[ode][prov
     CHECK(counts_of("x'' = -x; x(0) = [1, 2]; x'(0) = 0", "x = t/10 + 1/20", "4") == numbers{1});
 }
 
-// The nonlinear benchmark LOVO of the ARCH competition, whose solutions touch a circle: by a fourth-order method with
-// 36,400 steps, four times from x(0) = 1.288 and twice from 1.292 on.
+namespace {
+
+// By the classical Runge-Kutta method in double, from (x, 1) to the time 3.64: how often the solution crosses the circle.
+long crossings_of_circle(double x) {
+    constexpr int steps = 36'400;
+    constexpr double h = 3.64 / steps;
+    const auto slope = [](const std::array<double, 2>& at) {
+        return std::array{3 * at[0] - 3 * at[0] * at[1], at[0] * at[1] - at[1]};
+    };
+    const auto moved = [](const std::array<double, 2>& from, double by, const std::array<double, 2>& along) {
+        return std::array{from[0] + by * along[0], from[1] + by * along[1]};
+    };
+    const auto is_inside = [](const std::array<double, 2>& at) { return std::hypot(at[0] - 1, at[1] - 1) < 0.161; };
+    std::array<double, 2> state{x, 1};
+    long count = 0;
+    for (int i = 0; i < steps; ++i) {
+        const auto a = slope(state);
+        const auto b = slope(moved(state, h / 2, a));
+        const auto c = slope(moved(state, h / 2, b));
+        const auto d = slope(moved(state, h, c));
+        const auto next = moved(moved(moved(moved(state, h / 6, a), h / 3, b), h / 3, c), h / 6, d);
+        count += is_inside(next) != is_inside(state) ? 1 : 0;
+        state = next;
+    }
+    return count;
+}
+
+}  // namespace
+
+// LOVO25 of the ARCH competition.
 TEST_CASE("solutions that touch a surface have two events or none there", "[ode][proved][sets]") {
     const std::string orbit = "x' = 3*x - 3*x*y; y' = x*y - y; x(0) = 1.3 +- 0.012; y(0) = 1";
     const std::string circle = "(x - 1)^2 + (y - 1)^2 = 0.161^2";
+    CHECK(crossings_of_circle(1.288) == 4);
+    CHECK(crossings_of_circle(1.292) == 2);
+    CHECK(crossings_of_circle(1.312) == 2);
     CHECK(counts_of(orbit, circle, "3.64") == numbers{2, 4});
     CHECK(counts_of(orbit, circle, "3.64", crossing::down) == numbers{1, 2});
 }
@@ -81,9 +114,9 @@ TEST_CASE("numbers of events that are not decided are refused", "[ode][proved][s
     CHECK_THROWS_AS(counts_of(decay, "x = 1/2", "0"), error);
 }
 
-// x = s + (t - a) (t - b) (t - c) or s - ..., s in an interval, for fractions of which two or three are often equal: a sign
-// changes where the numbers of smaller roots of solutions with a fixed s differ, which is tried at s = 0 and, by bisection
-// on a grid, elsewhere.
+// x = s + (t - a) (t - b) (t - c) or s - ..., s in an interval, for fractions a, b, c of which two or three are often equal.
+// The changes of sign for a number s are counted on a grid; two roots between neighbours of it would be missed, and the test
+// would fail.
 TEST_CASE("the numbers of events of cubic polynomials are among those found", "[ode][proved][sets]") {
     tests::corner_numbers from(3);
     int decided = 0;

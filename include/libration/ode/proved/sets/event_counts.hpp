@@ -1,7 +1,8 @@
 // How many events the solutions of a problem have whose initial values and parameters are in intervals.
 //
 //     auto orbit = ode::parse("x' = 3*x - 3*x*y; y' = x*y - y; x(0) = [1.288, 1.312]; y(0) = 1");
-//     ode::event_counts(orbit, {.condition = "(x - 1)^2 + (y - 1)^2 = 0.161^2", .before = 3}).counts;  // 2, 4
+//     const std::string circle = "(x - 1)^2 + (y - 1)^2 = 0.161^2";
+//     ode::event_counts(orbit, {.condition = circle, .before = ode::number(3)}).counts;  // 2, 4
 #pragma once
 
 #include <optional>
@@ -31,7 +32,7 @@ struct possible_counts {
 };
 
 /// For the equations with equation_system::sets: every solution whose initial values and parameters are in these
-/// intervals exists up to that time, and has one of these numbers of events; not every one of the numbers need occur.
+/// intervals exists up to that time, and has one of these numbers of events; not all of them need occur.
 ///
 /// The solutions of a part of the box are enclosed over short spans of time by theorems V and T. Spans over which the
 /// condition may hold make up windows; on each of them, either the derivative of the difference of the sides along the
