@@ -39,6 +39,7 @@ MODEL_MARCH = "ode/proved/sets/models/model_march_test.cpp"
 MODELS = "src/libration/ode/proved/sets/models/"
 SET_EVENTS = "ode/proved/sets/set_events_test.cpp"
 EVENT_COUNTS = "ode/proved/sets/event_counts_test.cpp"
+CONSTANT_UNKNOWNS = "ode/proved/sets/constant_unknowns_test.cpp"
 SYSTEMS = "ode/singularity/systems_test.cpp"
 EVENTS = "ode/proved/proved_events_test.cpp"
 DELAYS = "ode/delay/delay_trajectory_test.cpp"
@@ -474,7 +475,7 @@ FAULTS = [
     *in_file(
         "src/libration/ode/proved/sets/set_run.cpp", [SETS],
         ("a piece of a span left out", "enclose_piece(step, middle, last, index, halvings - 1);", ""),
-        ("the last piece of a step left out", "enclose_piece(step, from, last, index, most_halvings);", ""),
+        ("the last piece of a step left out", "enclose_piece(step, from, last, index, most_halvings_of_piece);", ""),
         ("derivatives of the last piece alone", "hull(kept->derivatives[k][j], image.derivatives[k][j])", "image.derivatives[k][j]"),
         ("a turning point between the ends of a piece", "known_sign(slopes[place]) != 0", "place < slopes.size()"),
     ),
@@ -530,6 +531,18 @@ FAULTS = [
         ("the tail of a step of models forgotten", "    result.add_to_rest(tail_->at(i, magnitude(distance)));\n", ""),
         ("a derivative over the models without their errors", "        state.back().add_to_rest(set_.reach(i));\n", ""),
         ("the errors of a step of models forgotten", "        added.push_back(model.rest());\n", "        added.emplace_back();\n"),
+    ),
+    *in_file(
+        "src/libration/ode/proved/sets/constant_unknowns.cpp", [CONSTANT_UNKNOWNS],
+        ("constant unknowns whatever their right-hand sides", " && !replaced(of.right()[i], by).is(0)", " && false"),
+        ("constant unknowns whatever their slopes",
+         "            std::all_of(start + 1, next, [](const expression& e) { return e.is(0); }) &&\n", ""),
+        ("constant unknowns of a condition", " &&\n            !has_unknown(used, {each.name})", ""),
+        ("constant unknowns that moved ones move", "        std::erase_if(constant,",
+         "        before -= moving.size();\n        std::erase_if(constant,"),
+        ("a domain that a constant unknown removes", "all = all && (at_constants.is_constant() || is_kept(at_constants));", ""),
+        ("a constant unknown with a set of initial values",
+         "std::all_of(start, next, [](const expression& e) { return e.kind() == node_kind::constant; })", "true"),
     ),
     *in_file(
         "src/libration/ode/proved/sets/divided_box.cpp", [SETS],

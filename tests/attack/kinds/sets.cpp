@@ -110,6 +110,22 @@ std::string any_others(choices& next) {
     return next.one_in(3) ? "" : others[next.below(others.size())];
 }
 
+// An unknown z that remains 0, and its part of x', defined for x > 0.
+struct constant_zero {
+    std::string term, equation;
+};
+
+constant_zero any_constant_zero(choices& next) {
+    if (!next.one_in(3)) {
+        return {};
+    }
+    const std::vector<std::string> terms = {"z", "z*sin(x)", "z/x", "z*log(x)", "sin(z)*sqrt(x)"};
+    const std::vector<std::string> slopes = {"0", "z*x", "sin(z)", "z/x", "x*(exp(z) - 1)"};
+    const std::vector<std::string> starts = {"0", "[0, 0]"};
+    return {" + " + terms[next.below(terms.size())],
+            "; z' = " + slopes[next.below(slopes.size())] + "; z(0) = " + starts[next.below(starts.size())]};
+}
+
 outcome ask_values_of_set(choices& next) {
     const monotone_family family = any_family(next);
     const constant least = any_constant(next);
@@ -122,12 +138,13 @@ outcome ask_values_of_set(choices& next) {
     const double longest = family.end ? beyond_the_end * rough(end) : 2;
     const rational to = decimal_fraction(next.between(1, std::max(1L, std::lround(longest * 1000))), 3);
     const rational from = next.one_in(3) ? rational(to * next.between(0, 4) / 5) : to;
-    const std::string others = any_others(next);
+    const constant_zero zero = any_constant_zero(next);
+    const std::string others = any_others(next) + zero.equation;
     // At least one set, hence a = [c, c] beside a single initial value if nothing else is one.
     const std::string start = interval(least, width, next);
     const bool is_set = start.front() == '[' || others.find('[') != std::string::npos;
     const std::string text = fmt::format(
-        "x' = {}; x(0) = {}; a = {}{}", family.slope, start,
+        "x' = {}{}; x(0) = {}; a = {}{}", family.slope, zero.term, start,
         is_set ? interval(rate, growth, next) : fmt::format("[{0}, {0} + {1}]", rate.text, growth.str()), others);
     const std::string when = from == to ? "--times " + to.str() : fmt::format("--over {}:{}", from.str(), to.str());
     return answered(fmt::format("libration reference --problem \"{}\" {}", text, when), [&](outcome& result) {

@@ -38,7 +38,8 @@ set_events enclosed_events(const equation_system& given, const set_event_request
         if (with_derivatives) {
             faces.narrow(*known, k);
         }
-        result.events.push_back({std::move(known->values.front()), {known->values.begin() + 1, known->values.end()}});
+        const std::vector<closed_interval> of_own(known->values.begin() + 1, known->values.end());
+        result.events.push_back({known->values.front(), problem.all_values(of_own)});
     }
     result.faces = faces.size();
     result.steps = divided.steps() + faces.steps();

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
+#include "constant_unknowns.hpp"
 #include "libration/ode/lifted_system.hpp"
 #include "libration/ode/opened_system.hpp"
 #include "libration/ode/parse.hpp"
@@ -141,16 +143,38 @@ set_problem::set_problem(const equation_system& given, const std::optional<std::
         lower_.push_back(lower);
         upper_.push_back(upper);
     }
-    read_starts(given);
-}
-
-void set_problem::read_starts(const equation_system& given) {
     const auto by_name = leaves_by_name(given.sets);
-    const equation_system numbers = with_midpoints(given);
-    parameter_values values(numbers, by_name);
     for (const std::string& each : sets_) {
         leaves_.push_back(by_name.at(each));
     }
+    read_starts(given);
+    names_ = names_of_own();
+    const std::vector<std::size_t> all = own_;
+    const std::vector<expression> starts = starts_;
+    leave_out_constants(given);
+    const std::vector<std::string> left = names_of_own();
+    for (std::size_t k = 0; k < names_.size(); ++k) {
+        if (const auto at = std::ranges::find(left, names_[k]); at != left.end()) {
+            values_.emplace_back(static_cast<std::size_t>(at - left.begin()));
+        } else {
+            values_.emplace_back(starts[all[k]].constant());
+        }
+    }
+    for (const expression& each : starts_) {
+        auto& row = derivatives_.emplace_back();
+        for (const expression& leaf : leaves_) {
+            row.push_back(partial(each, leaf));
+        }
+    }
+}
+
+// The initial values of system_, in terms of the sets.
+void set_problem::read_starts(const equation_system& given) {
+    const equation_system numbers = with_midpoints(given);
+    const auto by_name = leaves_by_name(given.sets);
+    parameter_values values(numbers, by_name);
+    starts_.clear();
+    own_.clear();
     std::size_t place = 0;
     for (const unknown_function& each : system_.unknowns()) {
         const bool is_set = std::ranges::find(free_, each.name) != free_.end();
@@ -160,18 +184,45 @@ void set_problem::read_starts(const equation_system& given) {
                 continue;
             }
             own_.push_back(place);
-            names_.push_back(primed(each.name, order));
             const auto at = std::ranges::find_if(
                 numbers.starts, [&](const start& s) { return s.of.name() == each.name && s.of.derivative() == order; });
             starts_.push_back(values.in(at->value));
         }
     }
-    for (const expression& each : starts_) {
-        auto& row = derivatives_.emplace_back();
-        for (const expression& leaf : leaves_) {
-            row.push_back(partial(each, leaf));
+}
+
+// At least one unknown of the problem remains.
+void set_problem::leave_out_constants(const equation_system& given) {
+    if (!system_.algebraic().empty()) {
+        return;
+    }
+    const std::set<std::string> constant = constant_unknowns(system_, starts_, condition_);
+    if (!constant.empty() && constant.size() + free_.size() < system_.unknowns().size()) {
+        system_ = without(system_, constant);
+        read_starts(given);
+    }
+}
+
+std::vector<std::string> set_problem::names_of_own() const {
+    const std::vector<std::string> all = names_of_state(system_);
+    std::vector<std::string> result;
+    for (const std::size_t place : own_) {
+        result.push_back(all[place]);
+    }
+    return result;
+}
+
+std::vector<closed_interval> set_problem::all_values(const std::vector<closed_interval>& of_own) const {
+    std::vector<closed_interval> result;
+    for (const auto& each : values_) {
+        if (const auto* const index = std::get_if<std::size_t>(&each)) {
+            result.push_back(of_own[*index]);
+        } else {
+            const ball value = constant_value<ball>::of(std::get<number>(each));
+            result.push_back({lower_bound(value), upper_bound(value)});
         }
     }
+    return result;
 }
 
 number_box set_problem::box() const {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "libration/ode/explicit_system.hpp"
@@ -13,7 +14,8 @@
 namespace libration::ode {
 
 /// The sets of a problem are the numbers p of a box. Those on which the equations depend are unknowns of system(), which
-/// are constant; its initial values are functions S(p).
+/// are constant; its initial values are functions S(p). Unknowns of the problem that keep their initial values, and do
+/// not occur in the condition, are not in it.
 class set_problem {
 public:
     /// Throws error like enclosed_solutions.
@@ -24,9 +26,11 @@ public:
     const explicit_system& system() const { return system_; }
     /// The names of the sets: b, x(0).
     const std::vector<std::string>& sets() const { return sets_; }
-    /// The indices in the state of system() of the unknowns of the problem and their lower derivatives, and their names.
+    /// The indices in the state of system() of the unknowns of the problem and their lower derivatives.
     const std::vector<std::size_t>& own() const { return own_; }
+    /// The names of all unknowns of the problem and their lower derivatives, and their values with those of own().
     const std::vector<std::string>& names() const { return names_; }
+    std::vector<closed_interval> all_values(const std::vector<closed_interval>& of_own) const;
     /// The difference of the sides of the condition, in the unknowns of system().
     const expression& condition() const { return condition_; }
 
@@ -43,6 +47,8 @@ public:
 private:
     std::vector<ball> starts_at(const std::vector<ball>& numbers) const;
     void read_starts(const equation_system& given);
+    void leave_out_constants(const equation_system& given);
+    std::vector<std::string> names_of_own() const;
 
     std::vector<std::string> sets_;
     std::vector<number> lower_, upper_;
@@ -54,6 +60,7 @@ private:
     std::vector<std::vector<expression>> derivatives_;
     std::vector<std::size_t> own_;
     std::vector<std::string> names_;
+    std::vector<std::variant<std::size_t, number>> values_;  ///< of each name: an index in own_, or the constant value
 };
 
 }  // namespace libration::ode

@@ -15,7 +15,7 @@ namespace {
 // log2 of the number of pieces of a step on which a solution is enclosed over a span of time, and how often one of them is
 // halved.
 constexpr long log2_of_pieces = 4;
-constexpr int most_halvings = 4;
+constexpr int most_halvings_of_piece = 4;
 
 // Of a piece that is not halved, relative to the width of the enclosures at three of its times.
 const magnitude sharp_width = magnitude::of(257, -8);
@@ -169,10 +169,10 @@ private:
         ball from = first;
         for (int i = 1; i < 1 << log2_of_pieces; ++i) {
             const ball to = exact_sum(from, piece);
-            enclose_piece(step, from, to, index, most_halvings);
+            enclose_piece(step, from, to, index, most_halvings_of_piece);
             from = to;
         }
-        enclose_piece(step, from, last, index, most_halvings);
+        enclose_piece(step, from, last, index, most_halvings_of_piece);
     }
 
     // A piece on which a value may turn, and which would extend its bounds, is halved.

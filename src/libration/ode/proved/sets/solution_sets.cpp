@@ -60,7 +60,7 @@ set_enclosures enclosed_solutions(const equation_system& given, const set_reques
         if (with_derivatives) {
             faces.narrow(*known, i);
         }
-        result.values.push_back(std::move(known->values));
+        result.values.push_back(problem.all_values(known->values));
     }
     result.faces = faces.size();
     result.steps = divided.steps() + faces.steps();

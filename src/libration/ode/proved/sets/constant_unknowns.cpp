@@ -1,0 +1,119 @@
+#include "constant_unknowns.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <unordered_map>
+
+namespace libration::ode {
+
+namespace {
+
+// The unknowns at their initial values.
+replacement at_starts(const explicit_system& of, const std::set<std::string>& constant) {
+    return [&of, &constant, places = places_of(of.unknowns())](const expression& leaf) -> std::optional<expression> {
+        if (leaf.kind() != node_kind::unknown || !constant.contains(leaf.name())) {
+            return std::nullopt;
+        }
+        return expression(of.starts()[places.at(leaf.name())][static_cast<std::size_t>(leaf.derivative())]);
+    };
+}
+
+bool has_unknown(const expression& e, const std::set<std::string>& names) {
+    bool found = false;
+    each_leaf(e, [&](const expression& leaf) {
+        found = found || (leaf.kind() == node_kind::unknown && names.contains(leaf.name()));
+    });
+    return found;
+}
+
+// Calls seen(argument) for the arguments of functions, divisors and bases, outside which an expression is defined
+// everywhere.
+template <class Seen>
+void each_argument(const expression& e, const Seen& seen) {
+    with_nodes_replaced(e, [&](const expression& node) -> std::optional<expression> {
+        switch (node.kind()) {
+            case node_kind::quotient: seen(node.right()); break;
+            case node_kind::power:
+            case node_kind::function: seen(node.left()); break;
+            case node_kind::constant:
+            case node_kind::variable:
+            case node_kind::unknown:
+            case node_kind::parameter:
+            case node_kind::sum:
+            case node_kind::product: break;
+        }
+        return std::nullopt;
+    });
+}
+
+// Whether no argument that is not constant disappears from the right-hand sides.
+bool keeps_domain(const explicit_system& of, const std::set<std::string>& constant) {
+    const replacement by = at_starts(of, constant);
+    std::unordered_multimap<std::size_t, expression> kept;
+    for (const expression& each : of.right()) {
+        each_argument(replaced(each, by), [&](const expression& argument) { kept.emplace(argument.hash(), argument); });
+    }
+    const auto is_kept = [&](const expression& argument) {
+        const auto [first, last] = kept.equal_range(argument.hash());
+        return std::any_of(first, last, [&](const auto& each) { return same_form(each.second, argument); });
+    };
+    bool all = true;
+    for (const expression& each : of.right()) {
+        if (has_unknown(each, constant)) {
+            each_argument(each, [&](const expression& argument) {
+                const expression at_constants = replaced(argument, by);
+                all = all && (at_constants.is_constant() || is_kept(at_constants));
+            });
+        }
+    }
+    return all;
+}
+
+}  // namespace
+
+std::set<std::string> constant_unknowns(const explicit_system& of, const std::vector<expression>& starts,
+                                        const expression& used) {
+    std::set<std::string> constant;
+    auto start = starts.begin();
+    for (const unknown_function& each : of.unknowns()) {
+        const auto next = start + each.order;
+        if (std::all_of(start, next, [](const expression& e) { return e.kind() == node_kind::constant; }) &&
+            std::all_of(start + 1, next, [](const expression& e) { return e.is(0); }) &&
+            !has_unknown(used, {each.name})) {
+            constant.insert(each.name);
+        }
+        start = next;
+    }
+    for (std::size_t before = constant.size() + 1; before != constant.size();) {
+        before = constant.size();
+        const replacement by = at_starts(of, constant);
+        std::set<std::string> moving;
+        for (std::size_t i = 0; i < of.unknowns().size(); ++i) {
+            if (constant.contains(of.unknowns()[i].name) && !replaced(of.right()[i], by).is(0)) {
+                moving.insert(of.unknowns()[i].name);
+            }
+        }
+        std::erase_if(constant, [&](const std::string& name) { return moving.contains(name); });
+    }
+    return keeps_domain(of, constant) ? constant : std::set<std::string>();
+}
+
+explicit_system without(const explicit_system& of, const std::set<std::string>& constant) {
+    const replacement by = at_starts(of, constant);
+    equation_system others;
+    others.variable = of.variable();
+    for (std::size_t i = 0; i < of.unknowns().size(); ++i) {
+        const auto& [name, order] = of.unknowns()[i];
+        if (constant.contains(name)) {
+            continue;
+        }
+        others.add(unknown(name, order), replaced(of.right()[i], by));
+        for (int j = 0; j < order; ++j) {
+            others.begin(unknown(name, j), expression(of.starts()[i][static_cast<std::size_t>(j)]),
+                         expression(of.point()));
+        }
+    }
+    return explicit_system(others);
+}
+
+}  // namespace libration::ode
