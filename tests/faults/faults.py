@@ -477,7 +477,8 @@ FAULTS = [
         ("a piece of a span left out", "enclose_piece(step, middle, last, index, halvings - 1);", ""),
         ("the last piece of a step left out", "enclose_piece(step, from, last, index, most_halvings_of_piece);", ""),
         ("derivatives of the last piece alone", "hull(kept->derivatives[k][j], image.derivatives[k][j])", "image.derivatives[k][j]"),
-        ("a turning point between the ends of a piece", "known_sign(slopes[place]) != 0", "place < slopes.size()"),
+        ("a turning point between the ends of a piece", "known_sign(slope) != 0", "true || known_sign(slope) != 0"),
+        ("the slope on a piece forgotten", "widened(at[1], magnitude(slope) * half)", "at[1]"),
     ),
     *in_file(
         "src/libration/ode/proved/sets/event_question.cpp", [SET_EVENTS],

@@ -243,6 +243,17 @@ TEST_CASE("a span contains all of its times", "[ode][proved][sets]") {
     check_range(further.values[0][0], cos(ball(2)) * 2, ball(2), 1.0625);
 }
 
+// x = x0 e^(a t), whose values at t = 10 differ by a factor of 9.
+TEST_CASE("spans of a set that is far from linear", "[ode][proved][sets]") {
+    const precision_scope scope(digits_of_ranges);
+    const std::string problem = "x' = a*x; x(0) = [0.9, 1.1]; a = [0.9, 1.1]";
+    const ball least = value_of("0.9"), most = value_of("1.1");
+    const auto growth = enclosed_over(problem, "0", "10");
+    check_range(growth.values[0][0], least, most * exp(ball(10) * most), sharp);
+    const auto late = enclosed_over(problem, "9.99", "10");
+    check_range(late.values[0][0], least * exp(value_of("8.991")), most * exp(ball(10) * most), 1.125);
+}
+
 TEST_CASE("what is not a set of solutions is rejected with its place", "[ode][proved][sets]") {
     const std::vector<std::pair<std::string, std::string>> wrong = {
         {"x' = x; x(0) = [2, 1]", "is an interval whose first end is above the second"},

@@ -1,12 +1,15 @@
 #include "set_run.hpp"
 
 #include <algorithm>
+#include <array>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "libration/ode/first_order_form.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "models/model_march.hpp"
+#include "models/model_range.hpp"
 
 namespace libration::ode {
 
@@ -16,6 +19,9 @@ namespace {
 // halved.
 constexpr long log2_of_pieces = 4;
 constexpr int most_halvings_of_piece = 4;
+
+// log2 of the excess of the bounds on a piece, of which there are many, over the range of a set.
+constexpr long log2_of_excess_on_pieces = -3;
 
 // Of a piece that is not halved, relative to the width of the enclosures at three of its times.
 const magnitude sharp_width = magnitude::of(257, -8);
@@ -45,10 +51,11 @@ std::optional<distance_span> part_of(const time_span& span, std::size_t index, c
     return distance_span{index, known_sign(nearest) > 0 ? nearest : ball(0), farthest};
 }
 
-// Bounds of the unknowns of the problem on a piece of a step.
-struct enclosed_piece {
-    std::vector<closed_interval> values;
-    std::vector<bool> sharp;  ///< hardly wider than the values at the ends and in the middle
+// Bounds of an unknown of the problem on a piece of a step.
+struct bounded_value {
+    closed_interval bounds;
+    bool sharp = false;    ///< hardly wider than the values at the ends and in the middle
+    bool extends = false;  ///< beyond the bounds of earlier pieces
 };
 
 std::size_t count_of_wide(const number_box& box) {
@@ -98,6 +105,11 @@ protected:
     virtual void use(const ball& /*time*/) {}
     // With respect to the initial state, at a distance within the step; more narrowly at a time than on a piece.
     virtual ball_matrix derivative_of_flow(const ball& distance, bool at_time) = 0;
+    // One of its values with an excess of about 2^log2_of_excess_on_pieces; std::nullopt if values_at() is as narrow.
+    virtual std::optional<ball> narrow_value(const enclosed_step& /*step*/, std::size_t /*place*/,
+                                             const ball& /*distance*/) const {
+        return std::nullopt;
+    }
     // Of the values at the beginning of the step.
     virtual std::vector<model_excess> excess_at_start() { return {}; }
 
@@ -175,29 +187,28 @@ private:
         enclose_piece(step, from, last, index, most_halvings_of_piece);
     }
 
-    // A piece on which a value may turn, and which would extend its bounds, is halved.
+    // A piece that would extend the bounds is enclosed more narrowly if it can be, and halved if a value may turn on it.
     void enclose_piece(const enclosed_step& step, const ball& first, const ball& last, std::size_t index,
                        int halvings) {
-        const enclosed_piece piece = narrowed(step, first, last);
-        if (halvings > 0 && extends(piece, index)) {
+        std::vector<bounded_value> values = bounded(step, first, last, index);
+        if (halvings > 0 && std::ranges::any_of(values, [](const bounded_value& v) { return v.extends && !v.sharp; })) {
             const ball middle = exact_multiple(exact_sum(first, last), 1, -1);
             enclose_piece(step, first, middle, index, halvings - 1);
             enclose_piece(step, middle, last, index, halvings - 1);
             return;
         }
         const ball distance = signed_distance(hull(first, last));
-        add({piece.values, derivatives_at(distance, false), excess_at_start()}, index);
+        set_image image{{}, derivatives_at(distance, false), excess_at_start()};
+        for (bounded_value& each : values) {
+            image.values.push_back(std::move(each.bounds));
+        }
+        add(std::move(image), index);
     }
 
-    bool extends(const enclosed_piece& piece, std::size_t index) const {
+    bool extends(const closed_interval& value, std::size_t k, std::size_t index) const {
         const auto& kept = result_.images[index];
-        for (std::size_t k = 0; k < piece.values.size(); ++k) {
-            if (!piece.sharp[k] && (!kept || exactly_less(piece.values[k].lower, kept->values[k].lower) ||
-                                    exactly_less(kept->values[k].upper, piece.values[k].upper))) {
-                return true;
-            }
-        }
-        return false;
+        return !kept || exactly_less(value.lower, kept->values[k].lower) ||
+               exactly_less(kept->values[k].upper, value.upper);
     }
 
     void add(set_image image, std::size_t index) {
@@ -219,29 +230,46 @@ private:
         return exactly_less(exact_sum(first, exact_multiple(last, 1, -march().bits() / 2)), last);
     }
 
-    // A value whose slope has one sign on a piece has its bounds at the ends. Of others with the slope s in S, |y(t) -
-    // y(m)| <= |S| |t - m|, m the middle, also bounds it.
-    enclosed_piece narrowed(const enclosed_step& step, const ball& first, const ball& last) {
+    std::vector<bounded_value> bounded(const enclosed_step& step, const ball& first, const ball& last,
+                                       std::size_t index) {
         const ball middle = exact_multiple(exact_sum(first, last), 1, -1);
         const ball distance = signed_distance(hull(first, last));
+        const std::array<ball, 3> times = {signed_distance(first), signed_distance(middle), signed_distance(last)};
         const auto over = step.values_at(distance);
         const auto slopes = form_.slopes_at(over, ball(march().reached() + distance));
-        const auto at_first = step.values_at(signed_distance(first));
-        const auto at_middle = step.values_at(signed_distance(middle));
-        const auto at_last = step.values_at(signed_distance(last));
+        std::array<std::vector<ball>, 3> at;
+        std::ranges::transform(times, at.begin(), [&](const ball& time) { return step.values_at(time); });
         const magnitude half(exact_sum(last, -middle));
-        enclosed_piece result;
-        for (const std::size_t place : how_.of.own()) {
-            closed_interval each{lower_bound(over[place]), upper_bound(over[place])};
-            const ball of_ends = hull(at_first[place], at_last[place]);
-            const bool monotone = known_sign(slopes[place]) != 0;
-            const ball near = monotone ? of_ends : widened(at_middle[place], magnitude(slopes[place]) * half);
-            narrow(each, {lower_bound(near), upper_bound(near)});
-            const magnitude attained = magnitude::radius_of(hull(of_ends, at_middle[place])) * sharp_width;
-            result.sharp.push_back(monotone || radius_of(each) < attained);
-            result.values.push_back(std::move(each));
+        std::vector<bounded_value> result;
+        for (std::size_t k = 0; k < how_.of.own().size(); ++k) {
+            const std::size_t place = how_.of.own()[k];
+            const std::array<ball, 3> roughly = {at[0][place], at[1][place], at[2][place]};
+            bounded_value value = bounded_by(over[place], roughly, slopes[place], half);
+            if (extends(value.bounds, k, index)) {
+                std::array<ball, 3> narrowly;
+                for (std::size_t i = 0; i < times.size(); ++i) {
+                    narrowly[i] = narrow_value(step, place, times[i]).value_or(roughly[i]);
+                }
+                value.bounds = bounded_by(over[place], narrowly, slopes[place], half).bounds;
+                value.extends = extends(value.bounds, k, index);
+            }
+            result.push_back(std::move(value));
         }
         return result;
+    }
+
+    // By its enclosures on a piece, at the ends and in the middle. A value whose slope has one sign on the piece has its
+    // bounds at the ends. Of others with the slope s in S, |y(t) - y(m)| <= |S| |t - m|, m the middle, also bounds it.
+    static bounded_value bounded_by(const ball& over, const std::array<ball, 3>& at, const ball& slope,
+                                    const magnitude& half) {
+        const ball of_ends = hull(at[0], at[2]);
+        const bool monotone = known_sign(slope) != 0;
+        const ball near = monotone ? of_ends : widened(at[1], magnitude(slope) * half);
+        bounded_value value{{lower_bound(over), upper_bound(over)}};
+        narrow(value.bounds, {lower_bound(near), upper_bound(near)});
+        const magnitude attained = magnitude::radius_of(hull(of_ends, at[1])) * sharp_width;
+        value.sharp = monotone || radius_of(value.bounds) < attained;
+        return value;
     }
 
     set_run_request how_;
@@ -295,6 +323,10 @@ protected:
     enclosed_steps& march() override { return march_; }
     ball_matrix derivative_of_flow(const ball& distance, bool at_time) override {
         return march_.derivative_at(distance, at_time);
+    }
+    std::optional<ball> narrow_value(const enclosed_step& step, std::size_t place,
+                                     const ball& distance) const override {
+        return dynamic_cast<const model_step&>(step).narrow_value_at(place, distance, log2_of_excess_on_pieces);
     }
     std::vector<model_excess> excess_at_start() override {
         std::vector<model_excess> result;

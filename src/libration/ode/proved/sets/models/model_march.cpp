@@ -100,12 +100,16 @@ std::vector<ball> model_step::values_at(const ball& distance) const {
 }
 
 std::vector<ball> model_step::narrow_values_at(const ball& distance) const {
-    const precision_scope few(decimal_digits(model_march::working_bits));
     std::vector<ball> values;
     for (std::size_t i = 0; i < given_; ++i) {
-        values.push_back(widened(narrow_range(of_box_at(i, distance)), reaches()[i]));
+        values.push_back(narrow_value_at(i, distance, log2_of_excess_at_times));
     }
     return values;
+}
+
+ball model_step::narrow_value_at(std::size_t i, const ball& distance, long log2_of_excess) const {
+    const precision_scope few(decimal_digits(model_march::working_bits));
+    return widened(narrow_range(of_box_at(i, distance), log2_of_excess), reaches()[i]);
 }
 
 // The errors are small next to the widths of the values, so that one bound for the whole step suffices.
@@ -244,7 +248,7 @@ ball_matrix model_march::derivative_at(const ball& distance, bool narrowly) cons
     for (const auto& row : all) {
         auto& ranges = result.emplace_back();
         for (const taylor_model& each : row) {
-            ranges.push_back(narrow_range(each));
+            ranges.push_back(narrow_range(each, log2_of_excess_at_times));
         }
     }
     return result;

@@ -12,8 +12,7 @@ namespace libration::ode {
 
 namespace {
 
-constexpr int most_divisions = 1024;
-constexpr long log2_of_tolerance = -12;
+constexpr long log2_of_most_divisions = 10;
 
 struct part {
     ball upper;
@@ -32,8 +31,9 @@ std::size_t most_nonlinear(const taylor_model& of, std::size_t variables) {
     return most;
 }
 
-ball least_upper_bound(const taylor_model& of, std::size_t variables) {
-    const magnitude tolerance = of.width() * magnitude::of(1, log2_of_tolerance);
+ball least_upper_bound(const taylor_model& of, std::size_t variables, long log2_of_excess) {
+    const magnitude tolerance = of.width() * magnitude::of(1, log2_of_excess);
+    const int most_divisions = 1 << std::min(-log2_of_excess, log2_of_most_divisions);
     std::priority_queue parts(is_lower, std::vector<part>{{upper_bound(of.range()), of}});
     for (int k = 0; k < most_divisions; ++k) {
         const taylor_model model = parts.top().model;
@@ -53,9 +53,10 @@ ball least_upper_bound(const taylor_model& of, std::size_t variables) {
 
 }  // namespace
 
-ball narrow_range(const taylor_model& of) {
+ball narrow_range(const taylor_model& of, long log2_of_excess) {
     const std::size_t variables = of.in().variables();
-    return hull(-least_upper_bound(ball(-1) * of, variables), least_upper_bound(of, variables));
+    return hull(-least_upper_bound(ball(-1) * of, variables, log2_of_excess),
+                least_upper_bound(of, variables, log2_of_excess));
 }
 
 }  // namespace libration::ode

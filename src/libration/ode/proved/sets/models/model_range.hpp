@@ -5,10 +5,13 @@
 
 namespace libration::ode {
 
+/// At times, of which there are few.
+inline constexpr long log2_of_excess_at_times = -12;
+
 /// A ball that contains x(a) for all a. The part of the box that determines a bound is halved along the variable of the largest
-/// terms that are not linear, until these are below 2^-12 of the width, at most 1024 times for each bound: as
-/// c_0 + sum |linear c_i| is attained up to the terms that are not linear, the bounds then exceed the range by no more
-/// than twice that and the rest.
-ball narrow_range(const taylor_model& of);
+/// terms that are not linear, until these are below 2^log2_of_excess of the width, at most 2^-log2_of_excess and 1024
+/// times for each bound: as c_0 + sum |linear c_i| is attained up to the terms that are not linear, the bounds then exceed
+/// the range by no more than twice that and the rest. log2_of_excess < 0.
+ball narrow_range(const taylor_model& of, long log2_of_excess);
 
 }  // namespace libration::ode
