@@ -541,6 +541,8 @@ FAULTS = [
         ("constant unknowns of a condition", " &&\n            !has_unknown(used, {each.name})", ""),
         ("constant unknowns that moved ones move", "        std::erase_if(constant,",
          "        before -= moving.size();\n        std::erase_if(constant,"),
+        ("a domain that another function of the same argument has", "case node_kind::function: seen(node); break;",
+         "case node_kind::function: seen(node.left()); break;"),
         ("a domain that a constant unknown removes", "all = all && (at_constants.is_constant() || is_kept(at_constants));", ""),
         ("a constant unknown with a set of initial values",
          "std::all_of(start, next, [](const expression& e) { return e.kind() == node_kind::constant; })", "true"),

@@ -26,15 +26,15 @@ bool has_unknown(const expression& e, const std::set<std::string>& names) {
     return found;
 }
 
-// Calls seen(argument) for the arguments of functions, divisors and bases, outside which an expression is defined
+// Calls seen(part) for the functions, powers and reciprocals of divisors in an expression, without which it is defined
 // everywhere.
 template <class Seen>
-void each_argument(const expression& e, const Seen& seen) {
+void each_restricted(const expression& e, const Seen& seen) {
     with_nodes_replaced(e, [&](const expression& node) -> std::optional<expression> {
         switch (node.kind()) {
-            case node_kind::quotient: seen(node.right()); break;
+            case node_kind::quotient: seen(expression(1) / node.right()); break;
             case node_kind::power:
-            case node_kind::function: seen(node.left()); break;
+            case node_kind::function: seen(node); break;
             case node_kind::constant:
             case node_kind::variable:
             case node_kind::unknown:
@@ -46,22 +46,22 @@ void each_argument(const expression& e, const Seen& seen) {
     });
 }
 
-// Whether no argument that is not constant disappears from the right-hand sides.
+// Whether none of these parts, except constant ones, disappears from the right-hand sides.
 bool keeps_domain(const explicit_system& of, const std::set<std::string>& constant) {
     const replacement by = at_starts(of, constant);
     std::unordered_multimap<std::size_t, expression> kept;
     for (const expression& each : of.right()) {
-        each_argument(replaced(each, by), [&](const expression& argument) { kept.emplace(argument.hash(), argument); });
+        each_restricted(replaced(each, by), [&](const expression& part) { kept.emplace(part.hash(), part); });
     }
-    const auto is_kept = [&](const expression& argument) {
-        const auto [first, last] = kept.equal_range(argument.hash());
-        return std::any_of(first, last, [&](const auto& each) { return same_form(each.second, argument); });
+    const auto is_kept = [&](const expression& part) {
+        const auto [first, last] = kept.equal_range(part.hash());
+        return std::any_of(first, last, [&](const auto& each) { return same_form(each.second, part); });
     };
     bool all = true;
     for (const expression& each : of.right()) {
         if (has_unknown(each, constant)) {
-            each_argument(each, [&](const expression& argument) {
-                const expression at_constants = replaced(argument, by);
+            each_restricted(each, [&](const expression& part) {
+                const expression at_constants = replaced(part, by);
                 all = all && (at_constants.is_constant() || is_kept(at_constants));
             });
         }

@@ -13,7 +13,7 @@ namespace libration::ode {
 /// initial values, and derivatives 0, whose right-hand sides vanish identically where all of them have these values. The
 /// solution of the other equations together with these values then solves the system, and there is no other solution
 /// where the right-hand sides are analytic. They are analytic where those of without() are: a set is returned only if
-/// each argument of a function, divisor and base of a power is constant, or occurs in without() as well.
+/// each function, power and divisor is constant, or occurs in without() as well.
 ///
 /// starts[k] is the initial value of unknown or lower derivative k, in order. Unknowns in `used` are not returned.
 std::set<std::string> constant_unknowns(const explicit_system& of, const std::vector<expression>& starts,
