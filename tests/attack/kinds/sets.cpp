@@ -77,10 +77,22 @@ struct monotone_family {
     std::function<mpfr(const mpfr& start, const mpfr& rate, const mpfr& time)> value;
     /// When the solution ends; empty if it does not.
     std::function<mpfr(const mpfr& start, const mpfr& rate)> end = {};
+    std::string others = {};  ///< equations that the slope needs
 };
 
+// x' = -a, which ends where x leaves the domain of a function of x whose coefficient remains 0; another unknown has a
+// function of the same x with a larger domain.
+monotone_family any_end_of_domain(choices& next) {
+    const std::vector<std::string> functions = {"log(x)", "sqrt(x)", "1/x", "x^(-3/2)", "sin(x)/x"};
+    const std::vector<std::string> others = {"sin(x)", "exp(x)", "x^2", "cos(x) - x", "1/(1 + x^2)"};
+    return {"-a + w*" + functions[next.below(functions.size())], false,
+            [](const auto& c, const auto& a, const auto& t) { return mpfr(c - a * t); },
+            [](const auto& c, const auto& a) { return mpfr(c / a); },
+            "; w' = 0; w(0) = 0; v' = " + others[next.below(others.size())] + "; v(0) = 1"};
+}
+
 monotone_family any_family(choices& next) {
-    switch (next.below(4)) {
+    switch (next.below(5)) {
         case 0:
             return {"-a*x", false, [](const auto& c, const auto& a, const auto& t) { return decayed(false, c, a, t); }};
         case 1:
@@ -90,6 +102,7 @@ monotone_family any_family(choices& next) {
             return {"a*x^2", true,
                     [](const auto& c, const auto& a, const auto& t) { return mpfr(c / (1 - a * c * t)); },
                     [](const auto& c, const auto& a) { return mpfr(1 / (a * c)); }};
+        case 3: return any_end_of_domain(next);
         default:
             return {"a*(1 + x^2)", true,
                     [](const auto& c, const auto& a, const auto& t) { return mpfr(tan(mpfr(a * t + atan(c)))); },
@@ -132,14 +145,16 @@ outcome ask_values_of_set(choices& next) {
     const constant rate = any_constant(next);
     const rational width(next.one_in(2) ? 0 : next.between(1, 20), 100);
     const rational growth(next.one_in(2) ? 0 : next.between(1, 20), 100);
-    const truth end = [&] { return family.end(least.value() + real(width), rate.value() + real(growth)); };
+    const truth end = [&] {
+        return family.end(least.value() + real(family.grows ? width : rational(0)), rate.value() + real(growth));
+    };
     // Also times at which some of the solutions or all of them have ended.
     constexpr double beyond_the_end = 1.3;
     const double longest = family.end ? beyond_the_end * rough(end) : 2;
     const rational to = decimal_fraction(next.between(1, std::max(1L, std::lround(longest * 1000))), 3);
     const rational from = next.one_in(3) ? rational(to * next.between(0, 4) / 5) : to;
     const constant_zero zero = any_constant_zero(next);
-    const std::string others = any_others(next) + zero.equation;
+    const std::string others = family.others + any_others(next) + zero.equation;
     // At least one set, hence a = [c, c] beside a single initial value if nothing else is one.
     const std::string start = interval(least, width, next);
     const bool is_set = start.front() == '[' || others.find('[') != std::string::npos;

@@ -140,10 +140,22 @@ TEST_CASE("an equilibrium of HIRES satisfies its equations", "[ode][proved][limi
 TEST_CASE("solutions without a stable equilibrium have the reason", "[ode][proved][limit]") {
     CHECK_THAT(reason_of("y' = t - y; y(0) = 1"), Contains("that contain the variable"));
     CHECK_THAT(reason_of("y' = 1 + y^2; y(0) = 0"), Contains("exist up to 1.570796326"));
-    // y = 1/(1 + t) decays like a power of t.
-    CHECK_THAT(reason_of("y' = -y^2; y(0) = 1"), Contains("no stable equilibrium"));
+    CHECK_THAT(reason_of("x'' = -x; x(0) = 1; x'(0) = 0"), Contains("no stable equilibrium") && !Contains("algebraic"));
     // The unstable equilibrium itself.
     CHECK_THAT(reason_of("y' = y - y^2; y(0) = 0"), Contains("more than 20000 steps"));
+}
+
+// The solutions are 1/(1 + t), (1 + 2 t)^(-1/2) and log(1 + t), which has no limit though its slope decreases like 1/t.
+TEST_CASE("approach of a limit like a power of the time is called algebraic", "[ode][proved][limit]") {
+    CHECK_THAT(reason_of("y' = -y^2; y(0) = 1"), Contains("no stable equilibrium") && Contains("algebraic") &&
+                                                     Contains("the solution changes like t^-1.00"));
+    CHECK_THAT(reason_of("x' = -x^3; x(0) = 1"), Contains("the solution changes like t^-0.50"));
+    CHECK_THAT(reason_of("y' = exp(-y); y(0) = 0"), !Contains("algebraic"));
+}
+
+// y1 is nearly 1/(4.8e-4 t) [Hairer and Wanner, Solving Ordinary Differential Equations II, section IV.1].
+TEST_CASE("the decay of Robertson's reaction is algebraic", "[ode][proved][limit][.long]") {
+    CHECK_THAT(reason_of(std::string(problem_text("robertson"))), Contains("the solution changes like t^-1.00"));
 }
 
 }  // namespace limit_at_equilibrium_test

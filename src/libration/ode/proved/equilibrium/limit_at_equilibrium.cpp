@@ -4,6 +4,7 @@
 #include <string>
 
 #include "../needed_bits.hpp"
+#include "algebraic_decay.hpp"
 #include "libration/ode/dependency.hpp"
 #include "stable_zero.hpp"
 
@@ -51,6 +52,7 @@ public:
 private:
     // std::nullopt if more bits are needed.
     std::optional<std::vector<known_value>> along_the_solution(long bits) {
+        decay_ = {};
         proved_march march(system_, bits, watch_, proved_march::usual_error_bits, route_);
         rational distance = 1;
         for (int k = 0; k <= last_power_of_time; ++k, distance *= 2) {
@@ -67,6 +69,7 @@ private:
             if (auto found = limit_from(*state)) {
                 return found;
             }
+            decay_.add(*state);
         }
         throw no_limit(not_approached("later times were not tried"));
     }
@@ -99,7 +102,7 @@ private:
 
     std::string not_approached(const std::string& reason) const {
         return "is not reached: no stable equilibrium is proved to be approached from the state at " + reached_ +
-               ", and " + reason;
+               ", and " + reason + decay_.text();
     }
 
     const explicit_system& system_;
@@ -108,6 +111,7 @@ private:
     const proof_route& route_;
     reduced_field field_;
     std::string reached_ = "the initial point";
+    algebraic_decay decay_;
 };
 
 }  // namespace
