@@ -845,6 +845,8 @@ FAULTS = [
     ),
     *in_file(
         "src/libration/ode/rigorous/tube_proof.cpp", ["ode/proved/stiff_test.cpp"],
+        ("the change of an inverse forgotten at the start",
+         "back = inverse_of_frame(std::move(back), std::move(change), of.frame.slow);", ""),
         ("the set at the beginning of a tube forgotten", "old(i, j) = shifted(errors.columns()[j][i], -of.scales[i]);",
          "old(i, j) = ball(0);"),
         ("the bound of a frame's inverse dropped", "known.correction = std::move(*correction);",
@@ -878,10 +880,28 @@ FAULTS = [
          "result.defect.push_back(forms_.supremum(sum).shifted(-1));"),
     ),
     *in_file(
-        "src/libration/ode/rigorous/node_suprema.cpp", ["ode/proved/step_suprema_test.cpp"],
+        "src/libration/ode/rigorous/nodes/node_suprema.cpp", ["ode/proved/step_suprema_test.cpp"],
         ("values at nodes taken for a supremum", "each *= at.factor(degree);", "each *= at.factor(0 * degree);"),
         ("the rate at midpoints taken for its maximum",
          "upper_bound(widened(value, reach / static_cast<unsigned long>(values_.size())))", "upper_bound(value)"),
+    ),
+    *in_file(
+        "src/libration/ode/rigorous/nodes/node_frames.cpp", ["ode/proved/step_suprema_test.cpp"],
+        ("the derivative of a frame in double forgotten",
+         "result.values[i * size_ + j] = -slopes.values[i * slow_ + j];", "result.values[i * size_ + j] = 0;"),
+        ("the change of an inverse forgotten", "return sum(std::move(of), product(change, of_slow));", "return of;"),
+        ("roundings of the products with a frame forgotten",
+         "upper_bound_of_sum(error + relative * upper_bound_of_sum(absolute[i * size_ + j]))", "upper_bound_of_sum(error)"),
+        sources=["src/libration/ode/rigorous/nodes/node_suprema.cpp"],
+    ),
+    *in_file(
+        "src/libration/ode/rigorous/matrix/rounded_matrix.cpp", ["ode/proved/rounded_matrix_test.cpp"],
+        ("roundings of a product in double forgotten", "relative * rows[i] + rows_of_errors[i]", "rows_of_errors[i]"),
+        ("errors of the left matrix in double forgotten", "relative * rows[i] + rows_of_errors[i]", "relative * rows[i]"),
+        ("errors of the right matrix in double forgotten", " + whole * columns_of_errors[j]);", ");"),
+        ("roundings of a sum in double forgotten", " + unit_of_sum * std::fabs(a.values[i])", ""),
+        ("digits that double does not hold forgotten", "errors[i] = upper_bound_of_sum(magnitude(difference).above());",
+         "errors[i] = 0;"),
     ),
     *in_file(
         "src/libration/ode/rigorous/lifted_set.cpp", ["ode/proved/lifted_set_test.cpp"],

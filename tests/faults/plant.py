@@ -36,7 +36,8 @@ def flags(tree):
     names = {"LIBRATION_SOURCE_DIR": ROOT, "LIBRATION_REFERENCE_DIR": ROOT / "tests/reference",
              "LIBRATION_CHECKER": ROOT / "check/libration_check.py"}
     return ["-std=c++20", "-O1", "-DLIBRATION_COMPILED", *(f'-D{name}="{value}"' for name, value in names.items()),
-            f"-I{tree}/include", f"-I{tree}/tests", f"-I{tree}/src", f"-I{tree}/src/command"]
+            f"-I{tree}/include", f"-I{tree}/tests", f"-I{tree}/src", f"-I{tree}/src/command",
+            "-isystem", "/usr/include/eigen3"]
 
 
 def run(command, **more):

@@ -4,6 +4,7 @@
 
 #include "libration/ode/explicit_system.hpp"
 #include "libration/ode/parse.hpp"
+#include "libration/ode/rigorous/nodes/node_frames.hpp"
 #include "libration/ode/rigorous/step_suprema.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 
@@ -74,6 +75,81 @@ TEST_CASE("products with frames are bounded over the whole step", "[ode][proved]
         CHECK(magnitude(36'000U) <= each->linear[0].shifted(3));
         CHECK(each->linear[0].shifted(3) < magnitude(72'000U));
         CHECK(magnitude(9U) <= each->inverse[0].shifted(3));
+    }
+}
+
+// x' = t x + y, y' = -8 y, 0 <= t <= 2, in the time 1 + x: V = ((1 + x/4, 0), (x/8, 1)) and W = 1 + H with
+// H = ((-x/4), (-x/8)), a slow and a fast mode. Then W V - 1 = ((-x^2/16, 0), (-x^2/32, 0)), and
+//     J V - V' = (((1 + x)(1 + x/4) + x/8 - 1/4, 1), (-x - 1/8, -8)),
+// so that W (J V - V') has in the first row (1 - x/4) a, a = 3/4 + 11 x/8 + x^2/4, and 1 - x/4, and in the second
+// -a x/8 - x - 1/8 and -x/8 - 8: at most 57/32, 5/4, 91/64 and 65/8, the second at x = -1 and the others at 1.
+TEST_CASE("an inverse by a change of its slow columns is bounded over the whole step", "[ode][proved]") {
+    const precision_scope scope(60);
+    const auto quotient = [](long p, long q) { return ball(p) / ball(q); };
+    const moving_frame frame{{{ball(1), quotient(1, 4)}, {}, {ball(0), quotient(1, 8)}, {ball(1)}},
+                             {{ball(1)}, {}, {}, {ball(1)}},
+                             {1, 1},
+                             1,
+                             {{ball(0), quotient(-1, 4)}, {ball(0), quotient(-1, 8)}}};
+    const tube_candidate found{{ball(0), ball(2)}, {0, 0}, {{ball(0)}, {ball(0)}}, frame};
+    const polynomial_map map(lifted(explicit_system(parse("x' = t*x + y; y' = -8*y; x(0) = 0; y(0) = 0"))));
+    const auto constants = enclosed_constants(map);
+    const step_suprema of = node_suprema(map, constants, bits, bits, bits).of(found);
+    const auto is_bound = [](const magnitude& bound, long p, unsigned long q) {
+        const magnitude scaled = bound * magnitude(q);
+        return magnitude(static_cast<unsigned long>(p)) <= scaled &&
+               scaled < magnitude(static_cast<unsigned long>(2 * p + 1));
+    };
+    CHECK(is_bound(of.unit[0], 1, 16));
+    CHECK(is_bound(of.unit[2], 1, 32));
+    CHECK(of.unit[1] < magnitude::of(1, -40));
+    CHECK(of.unit[3] < magnitude::of(1, -40));
+    CHECK(is_bound(of.frame[0], 5, 4));
+    CHECK(is_bound(of.frame[2], 1, 8));
+    CHECK(is_bound(of.inverse[0], 5, 4));
+    CHECK(is_bound(of.inverse[2], 1, 8));
+    CHECK(is_bound(of.linear[0], 57, 32));
+    CHECK(is_bound(of.linear[1], 5, 4));
+    CHECK(is_bound(of.linear[2], 91, 64));
+    CHECK(is_bound(of.linear[3], 65, 8));
+    REQUIRE(of.rates.size() == 2);
+    CHECK(!certainly_less(of.rates[1], quotient(-63, 8)));
+    CHECK(certainly_less(of.rates[1], quotient(-62, 8)));
+}
+
+// With a = 1 + 2^-52, J = ((a, 1), (0, 0)) and the fast column (a, -1 - 2^-51): a^2 - 1 - 2^-51 = 2^-104, which is 0 in double.
+TEST_CASE("a sum of products with a frame that is lost in double is enclosed", "[ode][proved]") {
+    const precision_scope scope(100);
+    const auto with_power = [](long m, long e) { return ball(1) + ball(m) * pow(ball(2), e); };
+    const moving_frame frame{{{ball(1)}, {with_power(1, -52)}, {}, {-with_power(1, -51)}},
+                             {{ball(1)}, {}, {}, {ball(1)}},
+                             {1, 1},
+                             1,
+                             {{}, {}}};
+    const chebyshev_zeros zeros(1, 1, bits);
+    const std::vector<std::pair<std::size_t, std::size_t>> places{{0, 0}, {0, 1}};
+    const std::vector<ball> entries{with_power(1, -52), ball(1)};
+    for (const auto& frames : {frames_in_double(frame, zeros, bits), frames_in_balls(frame, zeros, bits, bits)}) {
+        const node_frame at = frames->at(3, {places, entries});
+        CHECK(arb_contains(at.linear(0, 1).handle(), pow(ball(2), -104L).handle()) != 0);
+        CHECK(certainly_less(radius_of(at.linear(0, 1)), pow(ball(2), -48L)));
+    }
+}
+
+// In the basis V = ((1, 1), (0, 1)), J = ((-3, 0), (0, -5)) becomes ((-3, 2), (0, -5)).
+TEST_CASE("a frame in double without slow modes is that of its basis", "[ode][proved]") {
+    const precision_scope scope(60);
+    const moving_frame frame{{{ball(1)}, {ball(1)}, {}, {ball(1)}}, {{ball(1)}, {ball(-1)}, {}, {ball(1)}}, {1, 1}, 0};
+    const chebyshev_zeros zeros(1, 1, bits);
+    const std::vector<std::pair<std::size_t, std::size_t>> places{{0, 0}, {1, 1}};
+    const std::vector<ball> entries{ball(-3), ball(-5)};
+    const node_frame at = frames_in_double(frame, zeros, bits)->at(0, {places, entries});
+    const std::vector<long> truth{-3, 2, 0, -5};
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        CHECK(arb_contains_si(at.linear.entries[i].handle(), truth[i]) != 0);
+        CHECK(certainly_less(radius_of(at.linear.entries[i]), pow(ball(2), -45L)));
+        CHECK(contains_zero(at.unit.entries[i]));
+        CHECK(certainly_less(radius_of(at.unit.entries[i]), pow(ball(2), -45L)));
     }
 }
 

@@ -244,6 +244,22 @@ TEST_CASE("an inverse of a frame that is only approximate is corrected", "[ode][
     }
 }
 
+// V = 1, and W = (1 + 1) 1/2 by a change: from a start that is e away from the curve x = t, solutions stay e away from it.
+TEST_CASE("the change of an inverse enters the radii at the start", "[ode][proved]") {
+    const precision_scope scope(60);
+    const polynomial_map map(lifted(explicit_system(parse("x' = 1; x(0) = 0"))));
+    const ball e = pow(ball(2), -60L);
+    const ball half = pow(ball(2), -1L);
+    const tube_candidate candidate{
+        {ball(0), ball(1)}, {0}, {{half, half}}, {{{ball(1)}}, {{half}}, {1}, 1, {{ball(1)}}}};
+    const tube_set start{{{e}, error_set({}, {}, {}, {magnitude()})}, 0};
+    const auto tube = tube_proof(map, 200, 200, 200).tube(candidate, start, supremum_rule::nodes);
+    REQUIRE(tube);
+    const ball end = tube->values_at(ball(1))[0];
+    CHECK(contains_zero(end - ball(1) - e));
+    CHECK(certainly_less(radius_of(end), e * ball(2)));
+}
+
 TEST_CASE("collocation is left alone where it is of no use", "[ode][proved]") {
     for (const char* text : {"y' = -y; y(0) = 1", "y' = y; y(0) = 1", "x' = y; y' = -x; x(0) = 1; y(0) = 0",
                              "x' = 10*(y-x); y' = x*(28-z)-y; z' = x*y-8/3*z; x(0)=1; y(0)=1; z(0)=1"}) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "../rigorous/lifted_set.hpp"
-#include "../rigorous/matrix/dense_matrix.hpp"
+#include "../rigorous/matrix/rounded_matrix.hpp"
 #include "libration/ode/ball/step_pieces.hpp"
 #include "libration/ode/proved/step_length.hpp"
 #include "libration/scalar/ball/predicates.hpp"
@@ -12,9 +12,12 @@ namespace libration::ode {
 
 namespace {
 
-// The cost of a step grows with the cube of the number of unknowns, that of the preparation with the cube of the bits.
-constexpr std::size_t most_collocation_unknowns = 40;
+// The cost of a step grows with the cube of the number of unknowns, that of the preparation with the cube of the bits,
+// and the memory for frames of many unknowns with the square of both.
+constexpr std::size_t most_collocation_unknowns = 250;
+constexpr std::size_t most_unknowns_with_derivative = 40;
 constexpr long most_collocation_bits = 1024;
+constexpr long most_bits_of_frames_in_double = 400;
 // The number of steps in which their length may grow until they are worth their cost.
 constexpr long steps_to_grow = 6;
 constexpr int steps_without_fast_modes = 3;
@@ -26,8 +29,8 @@ constexpr long unneeded_bits = 12;
 constexpr long unneeded_bits_of_many = 28;
 
 // The least number of steps of Taylor series that take longer than the preparation of collocation.
-unsigned long steps_worth_preparation(long bits) {
-    constexpr unsigned long at_200_bits = 1000;
+unsigned long steps_worth_preparation(long bits, bool in_double) {
+    const unsigned long at_200_bits = in_double ? 100 : 1000;
     const auto times = static_cast<unsigned long>(std::max(200L, bits));
     return at_200_bits * times * times * times / (200 * 200 * 200);
 }
@@ -55,26 +58,31 @@ long collocation_phase::bits_of_steps() const {
     return bits_ - (system_.leaves.size() < many_unknowns ? unneeded_bits : unneeded_bits_of_many);
 }
 
+bool collocation_phase::is_in_double() const { return system_.leaves.size() >= least_size_in_double; }
+
 long collocation_phase::cost_of_step() const {
-    constexpr long at_200_bits = 32;
+    const long at_200_bits = is_in_double() ? 4 : 32;
     const long bits = std::max(200L, bits_);
     const auto columns = static_cast<long>(varied_ ? 1 + system_.given : 1);
     return at_200_bits * bits * bits / (200 * 200) * columns * columns;
 }
 
-long collocation_phase::first_interval() const { return steps_without_fast_modes * cost_of_step(); }
+long collocation_phase::first_interval() const {
+    return is_in_double() ? cost_of_step() : steps_without_fast_modes * cost_of_step();
+}
 
 std::string collocation_phase::obstacle(bool with_derivative) const {
     const std::size_t count = system_.leaves.size() * (with_derivative ? 1 + system_.given : 1);
-    if (count > most_collocation_unknowns) {
-        return "is limited to " + std::to_string(most_collocation_unknowns) +
-               " unknowns, and the polynomial form of these equations" +
+    const std::size_t most = with_derivative ? most_unknowns_with_derivative : most_collocation_unknowns;
+    if (count > most) {
+        return "is limited to " + std::to_string(most) + " unknowns, and the polynomial form of these equations" +
                (with_derivative ? " with the derivative of the flow, which is needed here," : "") + " has " +
                std::to_string(count);
     }
-    if (bits_ > most_collocation_bits) {
-        return "is limited to a precision of " + std::to_string(most_collocation_bits) +
-               " bits, and these digits need " + std::to_string(bits_);
+    const long bits = count < least_size_in_double ? most_collocation_bits : most_bits_of_frames_in_double;
+    if (bits_ > bits) {
+        return "is limited to a precision of " + std::to_string(bits) +
+               " bits for so many unknowns, and these digits need " + std::to_string(bits_);
     }
     return "";
 }
@@ -89,7 +97,7 @@ bool collocation_phase::may_begin(long steps, const magnitude& length, const bal
         case integrator_choice::automatic: break;
     }
     const unsigned long columns = with_derivative ? 1 + system_.given : 1;
-    return length * magnitude(steps_worth_preparation(bits_) * columns * columns) <= magnitude(rest);
+    return length * magnitude(steps_worth_preparation(bits_, is_in_double()) * columns * columns) <= magnitude(rest);
 }
 
 // The unknowns of the form and then, column by column, its derivatives with respect to the given ones: the identity,

@@ -74,6 +74,8 @@ private:
     void change_coordinates();
     // The number of steps up to the first check, and up to the next one after a period that was worth its cost.
     long first_interval() const;
+    // Whether the frames of a step are computed in double (rounded_matrix), which makes it much cheaper.
+    bool is_in_double() const;
 
     const lifted_system& system_;
     long bits_;

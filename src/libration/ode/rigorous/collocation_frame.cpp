@@ -4,6 +4,7 @@
 #include "collocation_solver.hpp"
 #include "libration/ode/ball/step_pieces.hpp"
 #include "libration/scalar/ball/predicates.hpp"
+#include "matrix/rounded_matrix.hpp"
 
 namespace libration::ode {
 
@@ -160,6 +161,36 @@ std::optional<std::vector<ball>> collocation_solver::slow_columns(const ball_col
     return now;
 }
 
+// The same in double alone: to the digits to which `matrix_` refines its solutions.
+std::optional<std::vector<ball>> collocation_solver::rounded_slow_columns(const ball_columns& start) {
+    const std::size_t columns = start.size();
+    if (!matrix_.update(jacobians_in_modes())) {
+        return std::nullopt;
+    }
+    std::vector<double> begin;
+    for (std::size_t i = 0; i < count() * columns; ++i) {
+        begin.push_back(as_double(start[i % columns][i / columns]));
+    }
+    begin = product(in_double(to_basis_.entries), begin, count(), columns);
+    std::vector<double> right;
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+        right.insert(right.end(), begin.begin(), begin.end());
+    }
+    const std::vector<double> solved = matrix_.solved(right, columns);
+    const std::vector<double> basis = in_double(basis_.entries);
+    const auto stride = static_cast<std::ptrdiff_t>(begin.size());
+    std::vector<ball> result;
+    for (auto at = solved.begin(); at != solved.end(); at += stride) {
+        for (const double each : product(basis, {at, at + stride}, count(), columns)) {
+            if (!std::isfinite(each)) {
+                return std::nullopt;
+            }
+            result.push_back(exactly(each));
+        }
+    }
+    return result;
+}
+
 // Powers of x of the interpolant, without Chebyshev coefficients below 10^below of its largest one.
 ball_polynomial collocation_solver::interpolated(const ball* in_nodes, int stride, double below) const {
     std::vector<ball> chebyshev;
@@ -184,19 +215,37 @@ ball_polynomial collocation_solver::interpolated(const ball* in_nodes, int strid
     return result;
 }
 
-bool collocation_solver::interpolate_frame(const std::vector<ball>& slow, moving_frame& frame) const {
+// V at a node, from slow columns at all nodes.
+dense_matrix collocation_solver::frame_at(const std::vector<ball>& slow, std::size_t node) const {
     const std::size_t n = count();
     const std::size_t columns = modes_->slow.size();
+    dense_matrix here(n, n);
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j < n; ++j) {
+            here(i, j) = j < columns ? slow[(node * n + i) * columns + j] : modes_->fast[j - columns][i];
+        }
+    }
+    return here;
+}
+
+void collocation_solver::interpolate_columns(const std::vector<ball>& slow, double below, moving_frame& frame) const {
+    const std::size_t n = count();
+    const std::size_t columns = modes_->slow.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j < n; ++j) {
+            frame.columns.push_back(j < columns
+                                        ? interpolated(&slow[i * columns + j], static_cast<int>(n * columns), below)
+                                        : ball_polynomial{modes_->fast[j - columns][i]});
+        }
+    }
+}
+
+bool collocation_solver::interpolate_frame(const std::vector<ball>& slow, moving_frame& frame) const {
+    const std::size_t n = count();
     std::vector<ball> back;
     magnitude largest(1U);
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
-        dense_matrix here(n, n);
-        for (std::size_t i = 0; i < n; ++i) {
-            for (std::size_t j = 0; j < n; ++j) {
-                here(i, j) = j < columns ? slow[(k * n + i) * columns + j] : modes_->fast[j - columns][i];
-            }
-        }
-        auto inverted = inverse(here);
+        auto inverted = inverse(frame_at(slow, k));
         if (!inverted) {
             return false;
         }
@@ -205,18 +254,71 @@ bool collocation_solver::interpolate_frame(const std::vector<ball>& slow, moving
         back.insert(back.end(), inverted->entries.begin(), inverted->entries.end());
     }
     const double below = -digits_of_frame(stiffness_) - log_of(largest) * std::log10(2.);
-    for (std::size_t i = 0; i < n; ++i) {
-        for (std::size_t j = 0; j < n; ++j) {
-            frame.columns.push_back(j < columns
-                                        ? interpolated(&slow[i * columns + j], static_cast<int>(n * columns), below)
-                                        : ball_polynomial{modes_->fast[j - columns][i]});
-            frame.inverse.push_back(interpolated(&back[i * n + j], static_cast<int>(n * n), below));
-        }
+    interpolate_columns(slow, below, frame);
+    for (std::size_t i = 0; i < n * n; ++i) {
+        frame.inverse.push_back(interpolated(&back[i], static_cast<int>(n * n), below));
     }
     return true;
 }
 
-std::optional<tube_candidate> collocation_solver::candidate() {
+// By the inverse W of V in the middle: as fast columns are constant, W V has the columns (A, F) of slow modes, A square,
+// and is the unit matrix elsewhere, so that its inverse is 1 + H, H = (A^-1 - 1, -F A^-1).
+bool collocation_solver::interpolate_by_change(const std::vector<ball>& slow, moving_frame& frame) const {
+    const std::size_t n = count();
+    const std::size_t columns = modes_->slow.size();
+    auto back = inverse(frame_at(slow, nodes_.size() / 2));
+    if (!back) {
+        return false;
+    }
+    back->keep_midpoints();
+    magnitude largest = std::max(magnitude(1U), back->largest());
+    const std::vector<double> rounded = in_double(back->entries);
+    const auto length = static_cast<std::ptrdiff_t>(n * columns);
+    const auto length_of_square = static_cast<std::ptrdiff_t>(columns * columns);
+    std::vector<double> unit(columns * columns, 0);
+    for (std::size_t j = 0; j < columns; ++j) {
+        unit[j * (columns + 1)] = 1;
+    }
+    std::vector<ball> changes;
+    for (std::size_t k = 0; k < nodes_.size() && columns > 0; ++k) {
+        const auto begin = slow.begin() + static_cast<std::ptrdiff_t>(k) * length;
+        const auto moved = product(rounded, in_double({begin, begin + length}), n, columns);
+        const auto split = moved.begin() + length_of_square;
+        real_lu<double> lu;
+        if (!lu.factor({moved.begin(), split}, columns)) {
+            return false;
+        }
+        const auto inverted = lu.solved(unit, columns);
+        std::vector<double> change = inverted;
+        const auto others = product({split, moved.end()}, inverted, n - columns, columns);
+        for (std::size_t j = 0; j < columns; ++j) {
+            change[j * (columns + 1)] -= 1;
+        }
+        for (const double each : others) {
+            change.push_back(-each);
+        }
+        for (const double each : change) {
+            if (!std::isfinite(each)) {
+                return false;
+            }
+            changes.push_back(exactly(each));
+        }
+    }
+    for (const ball& each : changes) {
+        largest = std::max(largest, magnitude(each));
+    }
+    const double below = -digits_of_frame(stiffness_) - log_of(largest) * std::log10(2.);
+    interpolate_columns(slow, below, frame);
+    for (const ball& each : back->entries) {
+        frame.inverse.push_back({each});
+    }
+    for (std::size_t i = 0; i < n * columns; ++i) {
+        frame.change.push_back(interpolated(&changes[i], static_cast<int>(n * columns), below));
+    }
+    return true;
+}
+
+std::optional<tube_candidate> collocation_solver::candidate(bool by_change) {
     tube_candidate result{on_, scales_, {}, {}};
     {
         const precision_scope scope(decimal_digits(accuracy_.product_bits));
@@ -241,8 +343,8 @@ std::optional<tube_candidate> collocation_solver::candidate() {
     if (!slow_start(begin)) {
         return std::nullopt;
     }
-    const auto slow = slow_columns(begin);
-    if (!slow || !interpolate_frame(*slow, result.frame)) {
+    const auto slow = by_change ? rounded_slow_columns(begin) : slow_columns(begin);
+    if (!slow || !(by_change ? interpolate_by_change(*slow, result.frame) : interpolate_frame(*slow, result.frame))) {
         return std::nullopt;
     }
     result.frame.slow = begin.size();

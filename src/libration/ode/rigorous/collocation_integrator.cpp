@@ -7,6 +7,7 @@
 #include "collocation_solver.hpp"
 #include "control/collocation_control.hpp"
 #include "libration/ode/ball/step_pieces.hpp"
+#include "matrix/rounded_matrix.hpp"
 
 namespace libration::ode {
 
@@ -14,6 +15,10 @@ namespace {
 
 // From so many unknowns on values at nodes cost less than coefficients.
 constexpr std::size_t least_unknowns_at_nodes = 7;
+
+// Steps of many unknowns are expensive: the first one is tried with this multiple of the length that is given, half of
+// the number of steps over which the solution is smooth.
+constexpr double first_growth_of_many = 16;
 
 std::vector<long double> rounded_constants(const polynomial_map& map) {
     const precision_scope scope(40);
@@ -72,8 +77,8 @@ struct collocation_integrator::parts {
             return false;
         }
         const double factor = solver->factor();
-        auto candidate = solver->candidate();
-        auto proved = candidate ? rule(*proof, *candidate, set) : std::nullopt;
+        auto candidate = solver->candidate(!rule && map.size() >= least_size_in_double);
+        auto proved = candidate ? proved_tube(*candidate) : std::nullopt;
         if (!proved) {
             change_length(0.5);
             return false;
@@ -83,6 +88,14 @@ struct collocation_integrator::parts {
         found_end = end_of(candidate->curve, candidate->scales);
         growth.accept(factor);
         return true;
+    }
+
+    std::optional<solution_tube> proved_tube(const tube_candidate& found) {
+        if (rule) {
+            return rule(*proof, found, set);
+        }
+        const bool few = map.size() < least_unknowns_at_nodes;
+        return proof->tube(found, set, few ? supremum_rule::coefficients : supremum_rule::nodes);
     }
 
     static constexpr slong bits_of_length = 24;
@@ -102,10 +115,7 @@ struct collocation_integrator::parts {
     std::vector<ball> found_end;
     std::optional<solution_tube> tube;
     std::optional<std::vector<magnitude>> slope_errors;  // computed on demand
-    tube_rule rule = [](tube_proof& by, const tube_candidate& found, const tube_set& start) {
-        const bool few = found.curve.size() < least_unknowns_at_nodes;
-        return by.tube(found, start, few ? supremum_rule::coefficients : supremum_rule::nodes);
-    };
+    tube_rule rule;
     length_growth growth;
     int without_fast = 0;
 };
@@ -134,7 +144,7 @@ void collocation_integrator::begin(const ball& time, tube_set start, const ball&
     parts_->set = std::move(start);
     parts_->aimed = parts_->set;
     parts_->next = length;
-    parts_->change_length(1);
+    parts_->change_length(parts_->map.size() < least_size_in_double ? 1 : first_growth_of_many);
     parts_->tube.reset();
     parts_->slope_errors.reset();
     parts_->growth.restart();

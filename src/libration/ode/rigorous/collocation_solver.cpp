@@ -6,6 +6,7 @@
 #include "control/collocation_control.hpp"
 #include "libration/ode/ball/step_pieces.hpp"
 #include "libration/scalar/ball/predicates.hpp"
+#include "matrix/rounded_matrix.hpp"
 
 namespace libration::ode {
 
@@ -127,11 +128,12 @@ void collocation_solver::compute_slopes() {
     }
 }
 
-// The matrix 1 - S (x) B_k of Newton's method, B_k the Jacobian at node k in the basis of modes.
+// The matrix of Newton's method, with the Jacobians in the basis of modes.
 bool collocation_solver::factor_matrix() {
     compute_jacobians();
     const precision_scope few(decimal_digits(accuracy_.node_bits));
-    if (!modes_) {
+    const bool again = modes_.has_value();
+    if (!again) {
         modes_ = modes_of(jacobians_[nodes_.size() / 2], accuracy_.node_bits, accuracy_.slowest_fast);
         if (!modes_) {
             return false;
@@ -144,27 +146,32 @@ bool collocation_solver::factor_matrix() {
         to_basis_ = std::move(*back);
         to_basis_.keep_midpoints();
     }
-    const std::size_t n = count();
-    const std::size_t width = nodes_.size() * n;
-    std::vector<double> matrix(width * width, 0);
+    auto turned = jacobians_in_modes();
     stiffness_ = 1;
-    for (std::size_t k = 0; k < nodes_.size(); ++k) {
-        const dense_matrix turned = product(to_basis_, product(jacobians_[k], basis_));
-        for (std::size_t a = 0; a < n; ++a) {
-            for (std::size_t c = 0; c < n; ++c) {
-                const double entry = as_double(turned(a, c));
-                stiffness_ = std::max(stiffness_, std::fabs(entry));
-                for (std::size_t i = 0; entry != 0 && i < nodes_.size(); ++i) {
-                    matrix[(i * n + a) * width + k * n + c] =
-                        -nodes_.rounded_integrals()[i * nodes_.size() + k] * entry;
-                }
-            }
+    for (const auto& each : turned) {
+        for (const double entry : each) {
+            stiffness_ = std::max(stiffness_, std::fabs(entry));
         }
     }
-    for (std::size_t i = 0; i < width; ++i) {
-        matrix[i * width + i] += 1;
+    if (again) {
+        return matrix_.update(std::move(turned));
     }
-    return lu_.factor(matrix, width);
+    std::vector<std::size_t> blocks{modes_->slow.size()};
+    blocks.insert(blocks.end(), modes_->fast_blocks.begin(), modes_->fast_blocks.end());
+    return matrix_.factor(nodes_.rounded_integrals(), std::move(turned), blocks);
+}
+
+std::vector<std::vector<double>> collocation_solver::jacobians_in_modes() const {
+    std::vector<std::vector<double>> result;
+    const std::size_t n = count();
+    const bool rounds = n >= least_size_in_double;
+    const auto basis = rounds ? in_double(basis_.entries) : std::vector<double>();
+    const auto back = rounds ? in_double(to_basis_.entries) : std::vector<double>();
+    for (const dense_matrix& each : jacobians_) {
+        result.push_back(rounds ? product(back, product(in_double(each.entries), basis, n, n), n, n)
+                                : in_double(product(to_basis_, product(each, basis_)).entries));
+    }
+    return result;
 }
 
 std::vector<ball> collocation_solver::residual() const {
@@ -213,7 +220,7 @@ magnitude collocation_solver::correct(std::vector<ball>& residual, std::size_t c
     for (std::size_t i = 0; i < turned.size(); ++i) {
         right.push_back(as_double(shifted(turned[i], -exponents[i % columns])));
     }
-    const std::vector<double> solved = lu_.solved(right, columns);
+    const std::vector<double> solved = matrix_.solved(right, columns);
     for (std::size_t i = 0; i < turned.size(); ++i) {
         turned[i] = std::isfinite(solved[i]) ? shifted(exactly(solved[i]), exponents[i % columns]) : exactly(1e300);
     }

@@ -8,6 +8,7 @@
 
 #include "collocation_nodes.hpp"
 #include "fast_modes.hpp"
+#include "matrix/collocation_matrix.hpp"
 #include "stiff_guide.hpp"
 #include "tube_proof.hpp"
 
@@ -29,8 +30,8 @@ struct collocation_accuracy {
     static collocation_accuracy for_bits(long bits, int more_terms);
 };
 
-/// A step by Newton's method on the equations u(x_i) = u(-1) + sum_k S_ik f(u(x_k)): LU of the whole matrix in double,
-/// in a basis in which fast and slow modes of the middle of the step are apart, residuals in many digits.
+/// A step by Newton's method on the equations u(x_i) = u(-1) + sum_k S_ik f(u(x_k)): the matrix in double, in a basis in
+/// which fast and slow modes of the middle of the step are apart (collocation_matrix), residuals in many digits.
 class collocation_solver {
 public:
     collocation_solver(const polynomial_map& map, const stiff_guide& guide, const collocation_nodes& nodes,
@@ -41,12 +42,14 @@ public:
     outcome solve(const step_interval& on, const tube_set& start, const std::vector<magnitude>& floors);
     /// The factor by which the length is to change, for the next step or a repetition of this one.
     double factor() const { return factor_; }
-    /// The curve and a frame, after `solved`; std::nullopt if no frame is found.
-    std::optional<tube_candidate> candidate();
+    /// The curve and a frame, after `solved`; std::nullopt if no frame is found. The inverse of the frame is by `change` or
+    /// without it.
+    std::optional<tube_candidate> candidate(bool by_change);
 
 private:
     bool guess(const tube_set& start, const std::vector<magnitude>& floors);
     bool factor_matrix();
+    std::vector<std::vector<double>> jacobians_in_modes() const;
     void compute_jacobians();
     void compute_slopes();
     std::vector<ball> residual() const;
@@ -56,7 +59,11 @@ private:
     bool slow_start(ball_columns& slow);
     std::vector<ball> slopes_of_columns(const std::vector<ball>& at_nodes, std::size_t columns) const;
     std::optional<std::vector<ball>> slow_columns(const ball_columns& start) const;
+    std::optional<std::vector<ball>> rounded_slow_columns(const ball_columns& start);
+    dense_matrix frame_at(const std::vector<ball>& slow, std::size_t node) const;
     bool interpolate_frame(const std::vector<ball>& slow, moving_frame& frame) const;
+    bool interpolate_by_change(const std::vector<ball>& slow, moving_frame& frame) const;
+    void interpolate_columns(const std::vector<ball>& slow, double below, moving_frame& frame) const;
     ball_polynomial interpolated(const ball* in_nodes, int stride, double below) const;
     std::size_t count() const { return map_.size(); }
     ball half() const { return shifted(on_.length, -1); }
@@ -75,7 +82,7 @@ private:
     std::optional<divided_modes> modes_;
     dense_matrix basis_, to_basis_;
     double stiffness_ = 1;  ///< the largest entry of Jacobians in the basis of modes
-    real_lu<double> lu_;
+    collocation_matrix matrix_;
     double factor_ = 1;
 };
 

@@ -1,5 +1,6 @@
 #include "fast_modes.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -7,6 +8,7 @@
 
 #include "libration/ode/ball/step_pieces.hpp"
 #include "libration/scalar/ball/predicates.hpp"
+#include "matrix/rounded_matrix.hpp"
 
 #if __has_include(<flint/acb_mat.h>)
 #include <flint/acb_mat.h>
@@ -36,6 +38,9 @@ public:
     }
 
     bool compute(const dense_matrix& of, long bits) {
+        if (of.rows >= least_size_in_double) {
+            return compute_in_double(of) && acb_mat_approx_inv(left_, right_, bits) != 0;
+        }
         acb_mat_t a;
         acb_mat_init(a, size_, size_);
         for (slong i = 0; i < size_; ++i) {
@@ -50,6 +55,26 @@ public:
                           acb_mat_approx_inv(left_, right_, bits) != 0;
         acb_mat_clear(a);
         return done;
+    }
+    bool compute_in_double(const dense_matrix& of) {
+        const std::vector<double> entries = in_double(of.entries);
+        using row_major = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+        const Eigen::Map<const row_major> a(entries.data(), size_, size_);
+        if (!a.allFinite()) {
+            return false;
+        }
+        const Eigen::EigenSolver<Eigen::MatrixXd> eigen(a);
+        if (eigen.info() != Eigen::Success) {
+            return false;
+        }
+        const auto vectors = eigen.eigenvectors();
+        for (slong j = 0; j < size_; ++j) {
+            acb_set_d_d(values_ + j, eigen.eigenvalues()[j].real(), eigen.eigenvalues()[j].imag());
+            for (slong i = 0; i < size_; ++i) {
+                acb_set_d_d(acb_mat_entry(right_, i, j), vectors(i, j).real(), vectors(i, j).imag());
+            }
+        }
+        return true;
     }
     std::complex<double> value(std::size_t k) const {
         acb_srcptr z = values_ + k;

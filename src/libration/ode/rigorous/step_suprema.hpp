@@ -7,16 +7,22 @@
 #include "ball_polynomial.hpp"
 #include "libration/ode/rigorous/tube.hpp"
 #include "matrix/bound_matrix.hpp"
+#include "matrix/dense_matrix.hpp"
 #include "polynomial_map.hpp"
 
 namespace libration::ode {
 
-/// V and an approximate inverse W of it, exact polynomials by rows.
+/// V and an approximate inverse W of it, exact polynomials by rows. W is (1 + H) times `inverse`, H having the columns
+/// of `change`, one for each slow mode, and then zeros; without `change`, H = 0.
 struct moving_frame {
     std::vector<ball_polynomial> columns, inverse;
     std::vector<std::size_t> blocks;
     std::size_t slow = 0;
+    std::vector<ball_polynomial> change = {};
 };
+
+/// W at a place, from the values of `inverse` and of `change` there; in the working precision.
+dense_matrix inverse_of_frame(dense_matrix inverse, std::vector<ball> change, std::size_t slow);
 
 /// The data from which a step is proved. They are arbitrary: the proof checks them.
 struct tube_candidate {
@@ -49,7 +55,10 @@ ball rate_of(const block_bounds& of);
 /// The parts of a step in which the rate of a fast mode is bounded.
 constexpr int parts_of_rate = 8;
 
-/// By sums of |Chebyshev coefficients| of the polynomials multiplied out: what can be checked in integers.
+class node_frames;
+
+/// By sums of |Chebyshev coefficients| of the polynomials multiplied out: what can be checked in integers. For frames
+/// without `change`.
 class coefficient_suprema {
 public:
     /// Defects in `bits`, frames in `frame_bits`.
@@ -91,13 +100,11 @@ public:
     step_suprema of(const tube_candidate& found);
 
 private:
-    struct nodes;
     struct sampled;
     struct degrees;
     using block_values = std::vector<std::vector<ball>>;
 
-    void add_node(const sampled& values, std::size_t k, const ball& x, step_suprema& most,
-                  block_values& in_blocks) const;
+    void add_node(const sampled& values, node_frames& frames, int k, step_suprema& most, block_values& in_blocks) const;
 
     const polynomial_map& map_;
     const std::vector<ball>& constants_;

@@ -128,6 +128,11 @@ std::vector<magnitude> tube_proof::start_radii(const tube_candidate& of, const t
             back(i, j) = value_of(of.frame.inverse[i * n + j], ball(-1));
         }
     }
+    std::vector<ball> change;
+    for (const ball_polynomial& each : of.frame.change) {
+        change.push_back(value_of(each, ball(-1)));
+    }
+    back = inverse_of_frame(std::move(back), std::move(change), of.frame.slow);
     bound_matrix beside(n);
     const std::vector<ball> of_gap = product(back, gap);
     for (std::size_t i = 0; i < n; ++i) {
