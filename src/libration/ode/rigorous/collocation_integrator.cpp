@@ -90,7 +90,7 @@ struct collocation_integrator::parts {
         return true;
     }
 
-    std::optional<solution_tube> proved_tube(const tube_candidate& found) {
+    std::optional<solution_tube> proved_tube(const tube_candidate& found) const {
         if (rule) {
             return rule(*proof, found, set);
         }

@@ -225,6 +225,7 @@ std::optional<divided_modes> modes_of(const dense_matrix& j, long bits, double s
         return std::nullopt;
     }
     std::vector<std::complex<double>> values;
+    values.reserve(size);
     std::vector<std::size_t> order(size);
     std::iota(order.begin(), order.end(), std::size_t{0});
     for (const std::size_t k : order) {

@@ -56,10 +56,10 @@ std::string algebraic_decay::text() const {
         return {};
     }
     std::array<char, 40> decimals{};
-    const auto end =
+    const char* const end =
         std::to_chars(decimals.data(), decimals.data() + decimals.size(), *q, std::chars_format::fixed, 2).ptr;
     return "; up to there, the decay is algebraic, not exponential: the solution changes like t^-" +
-           std::string(decimals.data(), end);
+           std::string(static_cast<const char*>(decimals.data()), end);
 }
 
 }  // namespace libration::ode

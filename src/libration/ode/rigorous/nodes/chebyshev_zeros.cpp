@@ -14,7 +14,7 @@ chebyshev_zeros::chebyshev_zeros(int degree, std::size_t length, long bits)
     fmpq_t part;
     fmpq_init(part);
     for (int j = 0; j < 4 * count_; ++j) {
-        fmpq_set_si(part, j, static_cast<ulong>(2 * count_));
+        fmpq_set_si(part, j, 2 * static_cast<ulong>(count_));
         arb_cos_pi_fmpq(cosines_.emplace_back().handle(), part, ball::working_bits());
     }
     fmpq_clear(part);

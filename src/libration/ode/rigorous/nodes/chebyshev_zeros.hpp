@@ -16,7 +16,7 @@ public:
 
     int count() const { return count_; }
     /// x_k for k < M/2.
-    const ball& place(int k) const { return cosines_[static_cast<std::size_t>(2 * k + 1)]; }
+    const ball& place(int k) const { return cosines_[2 * static_cast<std::size_t>(k) + 1]; }
     /// 1/cos(pi m/(2M)) for m = degree.
     magnitude factor(int degree) const;
     /// The values of polynomials in powers of x at place(k) and at -place(k), k < M/2, rounded to so many bits.

@@ -22,6 +22,7 @@ std::size_t size_of(const moving_frame& of) {
 
 std::vector<ball_polynomial> derivatives_of(const std::vector<ball_polynomial>& all) {
     std::vector<ball_polynomial> result;
+    result.reserve(all.size());
     for (const ball_polynomial& each : all) {
         result.push_back(derivative_of(each));
     }
