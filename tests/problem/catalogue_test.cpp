@@ -165,6 +165,7 @@ TEST_CASE("the catalogue has the problems it promises", "[problem][catalogue]") 
                                    "pollu",
                                    "ring_modulator",
                                    "brusselator_1d",
+                                   "beam",
                                    "plate",
                                    "cusp",
                                    "bouncing_ball",
