@@ -60,6 +60,7 @@ long collocation_phase::bits_of_steps() const {
 
 bool collocation_phase::is_in_double() const { return system_.leaves.size() >= least_size_in_double; }
 
+// With frames in double, the Brusselator with 100 unknowns takes 4 s for a step and 1 s for one of Taylor series.
 long collocation_phase::cost_of_step() const {
     const long at_200_bits = is_in_double() ? 4 : 32;
     const long bits = std::max(200L, bits_);
@@ -81,8 +82,8 @@ std::string collocation_phase::obstacle(bool with_derivative) const {
     }
     const long bits = count < least_size_in_double ? most_collocation_bits : most_bits_of_frames_in_double;
     if (bits_ > bits) {
-        return "is limited to a precision of " + std::to_string(bits) +
-               " bits for so many unknowns, and these digits need " + std::to_string(bits_);
+        return "is limited to a precision of " + std::to_string(bits) + " bits for " + std::to_string(count) +
+               " unknowns, and these digits need " + std::to_string(bits_);
     }
     return "";
 }

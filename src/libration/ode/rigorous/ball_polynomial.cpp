@@ -68,6 +68,15 @@ ball_polynomial derivative_of(const ball_polynomial& a) {
     return result;
 }
 
+std::vector<ball_polynomial> derivatives_of(const std::vector<ball_polynomial>& all) {
+    std::vector<ball_polynomial> result;
+    result.reserve(all.size());
+    for (const ball_polynomial& each : all) {
+        result.push_back(derivative_of(each));
+    }
+    return result;
+}
+
 ball value_of(const ball_polynomial& a, const ball& x) {
     ball sum(0);
     for (std::size_t k = a.size(); k-- > 0;) {

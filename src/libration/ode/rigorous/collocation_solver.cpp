@@ -164,12 +164,16 @@ bool collocation_solver::factor_matrix() {
 std::vector<std::vector<double>> collocation_solver::jacobians_in_modes() const {
     std::vector<std::vector<double>> result;
     const std::size_t n = count();
-    const bool rounds = n >= least_size_in_double;
-    const auto basis = rounds ? in_double(basis_.entries) : std::vector<double>();
-    const auto back = rounds ? in_double(to_basis_.entries) : std::vector<double>();
+    if (n < least_size_in_double) {
+        for (const dense_matrix& each : jacobians_) {
+            result.push_back(in_double(product(to_basis_, product(each, basis_)).entries));
+        }
+        return result;
+    }
+    const auto basis = in_double(basis_.entries);
+    const auto back = in_double(to_basis_.entries);
     for (const dense_matrix& each : jacobians_) {
-        result.push_back(rounds ? product(back, product(in_double(each.entries), basis, n, n), n, n)
-                                : in_double(product(to_basis_, product(each, basis_)).entries));
+        result.push_back(product(back, product(in_double(each.entries), basis, n, n), n, n));
     }
     return result;
 }

@@ -42,8 +42,8 @@ public:
     outcome solve(const step_interval& on, const tube_set& start, const std::vector<magnitude>& floors);
     /// The factor by which the length is to change, for the next step or a repetition of this one.
     double factor() const { return factor_; }
-    /// The curve and a frame, after `solved`; std::nullopt if no frame is found. The inverse of the frame is by `change` or
-    /// without it.
+    /// The curve and a frame, after `solved`; std::nullopt if no frame is found. With by_change, the inverse of the frame
+    /// has a `change`, and the frame is computed in double.
     std::optional<tube_candidate> candidate(bool by_change);
 
 private:

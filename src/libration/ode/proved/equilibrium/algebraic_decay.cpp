@@ -58,8 +58,8 @@ std::string algebraic_decay::text() const {
     std::array<char, 40> decimals{};
     const char* const end =
         std::to_chars(decimals.data(), decimals.data() + decimals.size(), *q, std::chars_format::fixed, 2).ptr;
-    return "; up to there, the decay is algebraic, not exponential: the solution changes like t^-" +
-           std::string(static_cast<const char*>(decimals.data()), end);
+    return "; its last changes, from t to 2 t, decrease like t^-" +
+           std::string(static_cast<const char*>(decimals.data()), end) + ", algebraically and not exponentially";
 }
 
 }  // namespace libration::ode

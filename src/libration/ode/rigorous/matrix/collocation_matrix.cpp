@@ -1,7 +1,9 @@
 #include "collocation_matrix.hpp"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "dense_matrix.hpp"
@@ -120,10 +122,7 @@ bool collocation_matrix::factor(const std::vector<double>& integrals, std::vecto
     parts& now = *parts_;
     now.integrals = integrals;
     now.jacobians = std::move(jacobians);
-    now.modes = 0;
-    for (const std::size_t each : blocks) {
-        now.modes += each;
-    }
+    now.modes = std::accumulate(blocks.begin(), blocks.end(), std::size_t{0});
     now.refines = now.nodes() * now.modes > most_unknowns_of_whole;
     return now.factor_blocks(now.refines ? blocks : std::vector{now.modes});
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -13,20 +14,7 @@ namespace libration::ode {
 namespace {
 
 std::size_t size_of(const moving_frame& of) {
-    std::size_t size = 0;
-    for (const std::size_t each : of.blocks) {
-        size += each;
-    }
-    return size;
-}
-
-std::vector<ball_polynomial> derivatives_of(const std::vector<ball_polynomial>& all) {
-    std::vector<ball_polynomial> result;
-    result.reserve(all.size());
-    for (const ball_polynomial& each : all) {
-        result.push_back(derivative_of(each));
-    }
-    return result;
+    return std::accumulate(of.blocks.begin(), of.blocks.end(), std::size_t{0});
 }
 
 class ball_frames : public node_frames {
@@ -222,7 +210,8 @@ private:
         return result;
     }
 
-    std::size_t size_, slow_;  ///< the second, of columns that move
+    std::size_t size_;
+    std::size_t slow_;  ///< the number of columns that move
     rounded_matrix fast_, columns_, slopes_, changes_, inverse_, inverse_of_fast_;
 };
 

@@ -80,9 +80,7 @@ struct node_suprema::sampled {
     sampled(const node_suprema& rule, const tube_candidate& of, const chebyshev_zeros& at)
         : by(rule), found(of), places(at), half(shifted(of.on.length, -1)) {
         const precision_scope scope(decimal_digits(rule.bits_));
-        for (const ball_polynomial& each : of.curve) {
-            polynomials.push_back(derivative_of(each));
-        }
+        polynomials = derivatives_of(of.curve);
     }
 
     void move_to(int k) {
