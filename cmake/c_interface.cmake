@@ -7,8 +7,7 @@ set_target_properties(libration-c PROPERTIES
     OUTPUT_NAME libration
     SOVERSION 1
     VERSION 1.0
-    CXX_VISIBILITY_PRESET hidden
-    UNITY_BUILD_BATCH_SIZE 25)
+    CXX_VISIBILITY_PRESET hidden)
 target_compile_definitions(libration-c PRIVATE LIBRATION_VERSION="${PROJECT_VERSION}")
 target_include_directories(libration-c
     PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>

@@ -24,12 +24,30 @@ if(LIBRATION_SANITIZE)
 endif()
 
 # Six sevenths of the code of individually compiled sources are the same template instances as in other sources. The
-# presets for clean builds set CMAKE_UNITY_BUILD, which compiles this number of sources as one; `dev` does not, so that
-# a change there compiles one source. Sources may therefore share only the names in headers: each test has a separate
-# namespace, as has the inside of each study.
+# presets for clean builds set CMAKE_UNITY_BUILD, which compiles many sources as one; `dev` does not, so that a change
+# there compiles one source. Sources may therefore share only the names in headers: each test has a separate namespace,
+# as has the inside of each study. Large batches have few copies of an instance and need 2 to 3 GB of memory: as many are
+# compiled at once as fit into that of the machine.
 if(NOT CMAKE_UNITY_BUILD_BATCH_SIZE)
     set(CMAKE_UNITY_BUILD_BATCH_SIZE 25)
 endif()
+cmake_host_system_information(RESULT memory QUERY TOTAL_PHYSICAL_MEMORY) # in MiB
+math(EXPR jobs "${memory} / 2560")
+if(jobs LESS 1)
+    set(jobs 1)
+endif()
+set_property(GLOBAL APPEND PROPERTY JOB_POOLS libration_batches=${jobs})
+
+# Compiles COUNT sources of the target as one, instead of 25; with sanitizers, which double the memory, half of them.
+function(set_batch target count)
+    if(LIBRATION_SANITIZE)
+        math(EXPR count "${count} / 2")
+    endif()
+    set_target_properties(${target} PROPERTIES UNITY_BUILD_BATCH_SIZE ${count})
+    if(CMAKE_UNITY_BUILD)
+        set_target_properties(${target} PROPERTIES JOB_POOL_COMPILE libration_batches)
+    endif()
+endfunction()
 
 # GCC collects garbage when its heap has doubled, from 128 MB on. Later collections save about a twentieth of the compile
 # time of a batch and need about a fifth more memory.

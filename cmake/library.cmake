@@ -67,8 +67,8 @@ add_library(libration::libration ALIAS libration)
 target_compile_definitions(libration PUBLIC LIBRATION_COMPILED)
 # Both static libraries are also linked into a shared one (c_interface.cmake): hidden symbols keep calls as direct as in
 # a program.
+set_batch(libration 20)
 set_target_properties(libration PROPERTIES
-    UNITY_BUILD_BATCH_SIZE 9
     POSITION_INDEPENDENT_CODE ON
     CXX_VISIBILITY_PRESET hidden)
 target_precompile_headers(libration PRIVATE ${PROJECT_SOURCE_DIR}/src/libration/precompiled.hpp)
@@ -107,6 +107,7 @@ if(FLINT_FOUND)
     add_library(libration-proved STATIC ${proved_sources})
     add_library(libration::proved ALIAS libration-proved)
     add_library(libration::ball ALIAS libration-proved)
+    set_batch(libration-proved 44)
     set_target_properties(libration-proved PROPERTIES
         EXPORT_NAME proved
         POSITION_INDEPENDENT_CODE ON

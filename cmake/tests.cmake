@@ -35,19 +35,7 @@ if(NOT LIBRATION_SANITIZE)
 endif()
 # MPFI, under Boost's intervals: a type for which the library has no special support.
 target_link_libraries(libration-tests PRIVATE mpfi)
-# Twice the sources of other batches: a seventh of the compile time, for 1.8 GB of memory; with sanitizers, 5 GB. As many
-# are compiled at once as fit into the memory.
-set(test_batch 50)
-if(LIBRATION_SANITIZE)
-    set(test_batch 20)
-endif()
-cmake_host_system_information(RESULT memory QUERY TOTAL_PHYSICAL_MEMORY) # in MiB
-math(EXPR jobs "${memory} / 2560")
-if(jobs LESS 1)
-    set(jobs 1)
-endif()
-set_property(GLOBAL APPEND PROPERTY JOB_POOLS test_batches=${jobs})
-set_target_properties(libration-tests PROPERTIES UNITY_BUILD_BATCH_SIZE ${test_batch} JOB_POOL_COMPILE test_batches)
+set_batch(libration-tests 50)
 target_precompile_headers(libration-tests PRIVATE ${PROJECT_SOURCE_DIR}/tests/precompiled.hpp)
 # Half of the compile time of -O2; the command, which many of the tests start, is compiled as it is installed. Catch's
 # macros without a handler per assertion, so that exceptions end the test case: a quarter of the code size.

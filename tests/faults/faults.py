@@ -1020,6 +1020,6 @@ FAULTS = [
     *in_file(
         "src/libration/ode/rigorous/certificate/certified_run.cpp", [CERTIFICATES],
         ("the derivatives by the first start", "k == *choice.varied ? 1 : 0", "k == 0 ? 1 : 0"),
-        ("steps without end", "expected > doubtful * most_steps) {", "false) {"),
+        ("steps without end", "expected > doubtful * most_certified_steps) {", "false) {"),
     ),
 ]

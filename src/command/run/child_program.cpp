@@ -24,7 +24,7 @@ open_file nameless_file() {
     return made;
 }
 
-std::string content_of(std::FILE* from) {
+std::string output_of(std::FILE* from) {
     std::string content;
     std::array<char, 4096> block{};
     std::rewind(from);
@@ -70,7 +70,7 @@ int run_program(const std::vector<std::string>& words) { return code_of_program(
 program_result result_of_program(const std::vector<std::string>& words) {
     const open_file out = nameless_file();
     const int code = code_of_program(words, nullptr, out.get());
-    return {code, content_of(out.get())};
+    return {code, output_of(out.get())};
 }
 
 std::string output_of_program(const std::string& path, const std::string& input) {
@@ -83,7 +83,7 @@ std::string output_of_program(const std::string& path, const std::string& input)
     if (code_of_program({path}, in.get(), out.get()) != 0) {
         throw std::runtime_error(path + " failed");
     }
-    return content_of(out.get());
+    return output_of(out.get());
 }
 
 }  // namespace libration

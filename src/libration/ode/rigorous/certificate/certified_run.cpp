@@ -19,7 +19,7 @@ constexpr long guard_of_rounding = 8;
 constexpr long more_bits_of_bounds = 64;
 constexpr double digits_below_width = 4;
 // Integers of a certificate have five digits.
-constexpr long most_steps = 99'999;
+constexpr long most_certified_steps = 99'999;
 constexpr long steps_of_estimate = 100;
 // Where steps grow by such a factor from one estimate to the next, no number of steps is expected. Otherwise a run ends if
 // so many times the steps that are possible are expected.
@@ -29,7 +29,7 @@ constexpr double doubtful = 4;
 [[noreturn]] void refuse_steps(double expected, const rational& time) {
     const precision_scope scope(20);
     throw error(error_kind::argument, "certificate", "",
-                "contains at most " + std::to_string(most_steps) + " steps, and to time " +
+                "contains at most " + std::to_string(most_certified_steps) + " steps, and to time " +
                     to_finite_decimal(time).value_or(time.str()) + " there would be about " +
                     to_decimal(mpfr(expected), 2) +
                     ": choose an earlier time, or leave it out and compare two proofs with --check");
@@ -155,13 +155,13 @@ void certified_run::count_step() {
         const double length = std::abs(now - counted_from_) / steps_of_estimate;
         const double longest = std::max(length, std::abs(now - start_) / static_cast<double>(taken_));
         const double expected = static_cast<double>(taken_) + std::abs(farthest_.convert_to<double>() - now) / longest;
-        if (length < growing * counted_length_ && expected > doubtful * most_steps) {
+        if (length < growing * counted_length_ && expected > doubtful * most_certified_steps) {
             refuse_steps(expected, farthest_);
         }
         counted_from_ = now;
         counted_length_ = length;
     }
-    if (taken_ >= most_steps) {
+    if (taken_ >= most_certified_steps) {
         refuse_steps(static_cast<double>(taken_), farthest_);
     }
 }
