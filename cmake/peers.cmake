@@ -35,10 +35,14 @@ foreach(script IN ITEMS scipy_solvers.py mpmath_solvers.py equation_code.py)
     configure_file(peers/${script} ${PROJECT_BINARY_DIR}/${script} COPYONLY)
 endforeach()
 
-# `libration import`: models in SBML, by libsbml.
-pkg_check_modules(sbml QUIET IMPORTED_TARGET libsbml)
-if(sbml_FOUND)
+# `libration import`: models in SBML, by libsbml. Its file for pkg-config also requires packages of its archive, which
+# Debian does not install with it.
+find_path(LIBRATION_SBML_INCLUDE_DIR sbml/SBMLTypes.h)
+find_library(LIBRATION_SBML_LIBRARY sbml)
+mark_as_advanced(LIBRATION_SBML_INCLUDE_DIR LIBRATION_SBML_LIBRARY)
+if(LIBRATION_SBML_INCLUDE_DIR AND LIBRATION_SBML_LIBRARY)
     file(GLOB import_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/import/*.cpp)
     add_executable(libration-import ${import_sources})
-    target_link_libraries(libration-import PRIVATE PkgConfig::sbml fmt::fmt libration-warnings)
+    target_include_directories(libration-import SYSTEM PRIVATE ${LIBRATION_SBML_INCLUDE_DIR})
+    target_link_libraries(libration-import PRIVATE ${LIBRATION_SBML_LIBRARY} fmt::fmt libration-warnings)
 endif()

@@ -1,6 +1,7 @@
 // The study of solvers: what peers are told of an equation against closed forms, and what is said of their answers.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -119,7 +120,8 @@ TEST_CASE("the absolute tolerance of an unknown is relative to its scale", "[stu
                 return std::abs(answers[0].values[1] * 1e9 - std::exp(-3.0));
             };
             CHECK(error_of(scaled) < 1e-4);
-            CHECK(error_of(scaled) <= error_of(unscaled));
+            // Where x determines the steps, both errors are the same, up to the rounding of fewer than 1000 steps.
+            CHECK(error_of(scaled) <= error_of(unscaled) + 1000 * std::numeric_limits<double>::epsilon());
         }
     }
 }
