@@ -35,8 +35,8 @@ foreach(script IN ITEMS scipy_solvers.py mpmath_solvers.py equation_code.py)
     configure_file(peers/${script} ${PROJECT_BINARY_DIR}/${script} COPYONLY)
 endforeach()
 
-# `libration import`: models in SBML, by libsbml. Its file for pkg-config also requires packages of its archive, which
-# Debian does not install with it.
+# `libration import`: models in SBML, by libsbml. Not through pkg-config, which also requires libxml-2.0: only linking
+# the archive needs that, and Debian does not install it with libsbml5-dev.
 find_path(LIBRATION_SBML_INCLUDE_DIR sbml/SBMLTypes.h)
 find_library(LIBRATION_SBML_LIBRARY sbml)
 mark_as_advanced(LIBRATION_SBML_INCLUDE_DIR LIBRATION_SBML_LIBRARY)
