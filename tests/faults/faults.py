@@ -475,7 +475,9 @@ FAULTS = [
     *in_file(
         "src/libration/ode/proved/sets/set_run.cpp", [SETS],
         ("a piece of a span left out", "enclose_piece(step, middle, last, index, halvings - 1);", ""),
-        ("the last piece of a step left out", "enclose_piece(step, from, last, index, most_halvings_of_piece);", ""),
+        ("the last piece of a step left out", "i <= 1 << log2_of_pieces", "i < 1 << log2_of_pieces"),
+        ("the values at the first end of a piece for the last", "{at[0]->narrowest(place), at[1]->narrowest(place), at[2]",
+         "{at[0]->narrowest(place), at[1]->narrowest(place), at[0]"),
         ("derivatives of the last piece alone", "hull(kept->derivatives[k][j], image.derivatives[k][j])", "image.derivatives[k][j]"),
         ("a turning point between the ends of a piece", "known_sign(slope) != 0", "true || known_sign(slope) != 0"),
         ("the slope on a piece forgotten", "widened(at[1], magnitude(slope) * half)", "at[1]"),

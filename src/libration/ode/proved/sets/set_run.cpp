@@ -51,6 +51,19 @@ std::optional<distance_span> part_of(const time_span& span, std::size_t index, c
     return distance_span{index, known_sign(nearest) > 0 ? nearest : ball(0), farthest};
 }
 
+// All unknowns at a distance within a step, exact and not negative, and more narrowly those of the problem for which that
+// was necessary.
+struct moment {
+    ball distance;
+    std::vector<ball> values;
+    std::vector<std::optional<ball>> narrow;
+
+    const ball& narrowest(std::size_t place) const { return narrow[place] ? *narrow[place] : values[place]; }
+};
+
+// The values at the ends of a piece of a step and in its middle.
+using piece_moments = std::array<moment*, 3>;
+
 // Bounds of an unknown of the problem on a piece of a step.
 struct bounded_value {
     closed_interval bounds;
@@ -105,9 +118,11 @@ protected:
     virtual void use(const ball& /*time*/) {}
     // With respect to the initial state, at a distance within the step; more narrowly at a time than on a piece.
     virtual ball_matrix derivative_of_flow(const ball& distance, bool at_time) = 0;
-    // One of its values with an excess of about 2^log2_of_excess_on_pieces; std::nullopt if values_at() is as narrow.
+    // One of its values with an excess of about 2^log2_of_excess_on_pieces, or in `enough`; std::nullopt if values_at() is
+    // as narrow.
     virtual std::optional<ball> narrow_value(const enclosed_step& /*step*/, std::size_t /*place*/,
-                                             const ball& /*distance*/) const {
+                                             const ball& /*distance*/,
+                                             const std::optional<enough_bounds>& /*enough*/) const {
         return std::nullopt;
     }
     // Of the values at the beginning of the step.
@@ -178,26 +193,30 @@ private:
             return;
         }
         const ball piece = exact_multiple(exact_sum(last, -first), 1, -log2_of_pieces);
-        ball from = first;
-        for (int i = 1; i < 1 << log2_of_pieces; ++i) {
-            const ball to = exact_sum(from, piece);
+        moment from = moment_at(step, first);
+        for (int i = 1; i <= 1 << log2_of_pieces; ++i) {
+            moment to = moment_at(step, i == 1 << log2_of_pieces ? last : exact_sum(from.distance, piece));
             enclose_piece(step, from, to, index, most_halvings_of_piece);
-            from = to;
+            from = std::move(to);
         }
-        enclose_piece(step, from, last, index, most_halvings_of_piece);
+    }
+
+    moment moment_at(const enclosed_step& step, const ball& distance) const {
+        auto values = step.values_at(signed_distance(distance));
+        std::vector<std::optional<ball>> narrow(values.size());
+        return {distance, std::move(values), std::move(narrow)};
     }
 
     // A piece that would extend the bounds is enclosed more narrowly if it can be, and halved if a value may turn on it.
-    void enclose_piece(const enclosed_step& step, const ball& first, const ball& last, std::size_t index,
-                       int halvings) {
-        std::vector<bounded_value> values = bounded(step, first, last, index);
+    void enclose_piece(const enclosed_step& step, moment& first, moment& last, std::size_t index, int halvings) {
+        moment middle = moment_at(step, exact_multiple(exact_sum(first.distance, last.distance), 1, -1));
+        std::vector<bounded_value> values = bounded(step, {&first, &middle, &last}, index);
         if (halvings > 0 && std::ranges::any_of(values, [](const bounded_value& v) { return v.extends && !v.sharp; })) {
-            const ball middle = exact_multiple(exact_sum(first, last), 1, -1);
             enclose_piece(step, first, middle, index, halvings - 1);
             enclose_piece(step, middle, last, index, halvings - 1);
             return;
         }
-        const ball distance = signed_distance(hull(first, last));
+        const ball distance = signed_distance(hull(first.distance, last.distance));
         set_image image{{}, derivatives_at(distance, false), excess_at_start()};
         for (bounded_value& each : values) {
             image.values.push_back(std::move(each.bounds));
@@ -230,32 +249,49 @@ private:
         return exactly_less(exact_sum(first, exact_multiple(last, 1, -march().bits() / 2)), last);
     }
 
-    std::vector<bounded_value> bounded(const enclosed_step& step, const ball& first, const ball& last,
-                                       std::size_t index) {
-        const ball middle = exact_multiple(exact_sum(first, last), 1, -1);
-        const ball distance = signed_distance(hull(first, last));
-        const std::array<ball, 3> times = {signed_distance(first), signed_distance(middle), signed_distance(last)};
+    std::vector<bounded_value> bounded(const enclosed_step& step, const piece_moments& at, std::size_t index) {
+        const ball distance = signed_distance(hull(at[0]->distance, at[2]->distance));
         const auto over = step.values_at(distance);
         const auto slopes = form_.slopes_at(over, ball(march().reached() + distance));
-        std::array<std::vector<ball>, 3> at;
-        std::ranges::transform(times, at.begin(), [&](const ball& time) { return step.values_at(time); });
-        const magnitude half(exact_sum(last, -middle));
+        const magnitude half(exact_sum(at[2]->distance, -at[1]->distance));
         std::vector<bounded_value> result;
         for (std::size_t k = 0; k < how_.of.own().size(); ++k) {
             const std::size_t place = how_.of.own()[k];
-            const std::array<ball, 3> roughly = {at[0][place], at[1][place], at[2][place]};
-            bounded_value value = bounded_by(over[place], roughly, slopes[place], half);
+            bounded_value value = bounded_by(over[place], values_of(at, place), slopes[place], half);
             if (extends(value.bounds, k, index)) {
-                std::array<ball, 3> narrowly;
-                for (std::size_t i = 0; i < times.size(); ++i) {
-                    narrowly[i] = narrow_value(step, place, times[i]).value_or(roughly[i]);
+                const std::optional<enough_bounds> enough = enough_for(k, index);
+                narrow_at(step, *at[0], place, enough);
+                narrow_at(step, *at[2], place, enough);
+                if (known_sign(slopes[place]) == 0) {
+                    const magnitude change = magnitude(slopes[place]) * half;
+                    narrow_at(step, *at[1], place, enough ? std::optional(enough->before_widening(change)) : enough);
                 }
-                value.bounds = bounded_by(over[place], narrowly, slopes[place], half).bounds;
+                value.bounds = bounded_by(over[place], narrowest_of(at, place), slopes[place], half).bounds;
                 value.extends = extends(value.bounds, k, index);
             }
             result.push_back(std::move(value));
         }
         return result;
+    }
+
+    // The bounds of earlier pieces.
+    std::optional<enough_bounds> enough_for(std::size_t k, std::size_t index) const {
+        const auto& kept = result_.images[index];
+        return kept ? std::optional(enough_bounds{kept->values[k].lower, kept->values[k].upper}) : std::nullopt;
+    }
+
+    void narrow_at(const enclosed_step& step, moment& at, std::size_t place,
+                   const std::optional<enough_bounds>& enough) const {
+        if (!at.narrow[place]) {
+            at.narrow[place] = narrow_value(step, place, signed_distance(at.distance), enough);
+        }
+    }
+
+    static std::array<ball, 3> values_of(const piece_moments& at, std::size_t place) {
+        return {at[0]->values[place], at[1]->values[place], at[2]->values[place]};
+    }
+    static std::array<ball, 3> narrowest_of(const piece_moments& at, std::size_t place) {
+        return {at[0]->narrowest(place), at[1]->narrowest(place), at[2]->narrowest(place)};
     }
 
     // By its enclosures on a piece, at the ends and in the middle. A value whose slope has one sign on the piece has its
@@ -324,9 +360,9 @@ protected:
     ball_matrix derivative_of_flow(const ball& distance, bool at_time) override {
         return march_.derivative_at(distance, at_time);
     }
-    std::optional<ball> narrow_value(const enclosed_step& step, std::size_t place,
-                                     const ball& distance) const override {
-        return dynamic_cast<const model_step&>(step).narrow_value_at(place, distance, log2_of_excess_on_pieces);
+    std::optional<ball> narrow_value(const enclosed_step& step, std::size_t place, const ball& distance,
+                                     const std::optional<enough_bounds>& enough) const override {
+        return dynamic_cast<const model_step&>(step).narrow_value_at(place, distance, log2_of_excess_on_pieces, enough);
     }
     std::vector<model_excess> excess_at_start() override {
         std::vector<model_excess> result;

@@ -160,7 +160,7 @@ TEST_CASE("the range of a polynomial is found by halving", "[ode][proved][sets][
     const taylor_model a(in, ball(0), std::vector<ball>{ball(1), ball(0)});
     const taylor_model b(in, ball(0), std::vector<ball>{ball(0), ball(1)});
     const auto check = [](const taylor_model& of, const rational& lower, const rational& upper) {
-        const ball found = narrow_range(of, -12);
+        const ball found = narrow_range(of, -12, std::nullopt);
         const ball tolerance = exact_multiple(ball(1), 1, -9);
         CHECK_FALSE(certainly_less(from_rational<ball>(lower), lower_bound(found)));
         CHECK_FALSE(certainly_less(upper_bound(found), from_rational<ball>(upper)));
@@ -172,6 +172,25 @@ TEST_CASE("the range of a polynomial is found by halving", "[ode][proved][sets][
     // (a + b)^2 - 2 a b = a^2 + b^2; a b + a.
     check(product_coefficient({a, b}, {b, a}, 1), rational(0), rational(2));
     check(product_coefficient({a}, {b}, 0) + a, rational(-2), rational(2));
+}
+
+TEST_CASE("a bound of a range that is narrow enough is not improved", "[ode][proved][sets][models]") {
+    const precision_scope scope(50);
+    const monomial_set in(1, 4);
+    const taylor_model a(in, ball(0), std::vector<ball>{ball(1)});
+    const taylor_model of = product_coefficient({a}, {a}, 0) - a;  // from -1/4 to 2, at first from -1 to 2
+    const ball tolerance = exact_multiple(ball(1), 1, -9);
+    const auto lower_of = [&](const ball& enough) {
+        const ball found = narrow_range(of, -12, enough_bounds{enough, ball(0)});
+        CHECK_FALSE(certainly_less(upper_bound(found), ball(2)));  // beyond what is enough, hence attained
+        CHECK(certainly_less(upper_bound(found), ball(2) + tolerance));
+        CHECK_FALSE(certainly_less(-ball(1) / 4, lower_bound(found)));
+        return lower_bound(found);
+    };
+    CHECK(certainly_less(lower_of(ball(-2)), ball(-1) + tolerance));
+    const ball half = lower_of(-ball(1) / 2);
+    CHECK_FALSE(certainly_less(half, -ball(1) / 2));
+    CHECK(certainly_less(-ball(1) / 4 - tolerance, lower_of(ball(0))));
 }
 
 TEST_CASE("functions of Taylor models", "[ode][proved][sets][models]") {

@@ -5,7 +5,6 @@
 
 #include "../../set_values.hpp"
 #include "lifted_models.hpp"
-#include "model_range.hpp"
 #include "model_tail.hpp"
 
 namespace libration::ode {
@@ -102,14 +101,18 @@ std::vector<ball> model_step::values_at(const ball& distance) const {
 std::vector<ball> model_step::narrow_values_at(const ball& distance) const {
     std::vector<ball> values;
     for (std::size_t i = 0; i < given_; ++i) {
-        values.push_back(narrow_value_at(i, distance, log2_of_excess_at_times));
+        values.push_back(narrow_value_at(i, distance, log2_of_excess_at_times, std::nullopt));
     }
     return values;
 }
 
-ball model_step::narrow_value_at(std::size_t i, const ball& distance, long log2_of_excess) const {
+ball model_step::narrow_value_at(std::size_t i, const ball& distance, long log2_of_excess,
+                                 std::optional<enough_bounds> enough) const {
     const precision_scope few(decimal_digits(model_march::working_bits));
-    return widened(narrow_range(of_box_at(i, distance), log2_of_excess), reaches()[i]);
+    if (enough) {
+        enough = enough->before_widening(reaches()[i]);
+    }
+    return widened(narrow_range(of_box_at(i, distance), log2_of_excess, enough), reaches()[i]);
 }
 
 // The errors are small next to the widths of the values, so that one bound for the whole step suffices.
@@ -248,7 +251,7 @@ ball_matrix model_march::derivative_at(const ball& distance, bool narrowly) cons
     for (const auto& row : all) {
         auto& ranges = result.emplace_back();
         for (const taylor_model& each : row) {
-            ranges.push_back(narrow_range(each, log2_of_excess_at_times));
+            ranges.push_back(narrow_range(each, log2_of_excess_at_times, std::nullopt));
         }
     }
     return result;

@@ -7,6 +7,7 @@
 
 #include "libration/ode/proved/proved_march.hpp"
 #include "model_expansion.hpp"
+#include "model_range.hpp"
 
 namespace libration::ode {
 
@@ -33,7 +34,8 @@ public:
     std::vector<ball> values_at(const ball& distance) const override;
     std::vector<ball> narrow_values_at(const ball& distance) const override;
     /// One of them, the range of its polynomial by narrow_range().
-    ball narrow_value_at(std::size_t i, const ball& distance, long log2_of_excess) const;
+    ball narrow_value_at(std::size_t i, const ball& distance, long log2_of_excess,
+                         std::optional<enough_bounds> enough) const;
 
 private:
     friend class model_march;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -81,6 +82,11 @@ monomial_set::monomial_set(std::size_t variables, int degree) : variables_(varia
         index.emplace(each, static_cast<std::uint32_t>(index.size()));
         even_.push_back(std::ranges::all_of(each, [](std::uint8_t e) { return e % 2 == 0; }));
     }
+    by_variable_.resize(variables);
+    for (std::size_t j = 0; j < variables; ++j) {
+        std::ranges::transform(exponents_, std::back_inserter(by_variable_[j]),
+                               [j](const auto& each) { return each[j]; });
+    }
     std::vector<std::uint8_t> sum(variables);
     for (std::size_t i = 0; i < size(); ++i) {
         first_products_.push_back(products_.size());
@@ -158,9 +164,10 @@ magnitude taylor_model::norm_from(std::size_t degree) const {
 }
 
 magnitude taylor_model::nonlinear_share(std::size_t variable) const {
+    const auto& exponents = in_->exponents_of(variable);
     double sum = 0;
     for (std::size_t i = in_->size_to(1); i < coefficients_.size(); ++i) {
-        sum += std::abs(coefficients_[i]) * in_->exponents(i)[variable];
+        sum += std::abs(coefficients_[i]) * exponents[i];
     }
     return above(sum);
 }
@@ -188,15 +195,20 @@ ball taylor_model::range() const {
 taylor_model taylor_model::on_half(std::size_t variable, bool upper) const {
     taylor_model result = *this;
     auto& c = result.coefficients_;
+    const auto& exponents = in_->exponents_of(variable);
+    std::vector<double> halves(static_cast<std::size_t>(in_->degree()) + 1, 1);  // powers of 1/2
+    for (std::size_t e = 1; e < halves.size(); ++e) {
+        halves[e] = halves[e - 1] / 2;
+    }
     for (std::size_t i = 0; i < c.size(); ++i) {
-        c[i] = std::ldexp(c[i], -in_->exponents(i)[variable]);
+        c[i] *= halves[exponents[i]];
     }
     const std::uint32_t* const raised = in_->products_of(1 + variable);
     const double shift = upper ? 1 : -1;
     const std::size_t below = norms_.size() < 2 ? 0 : in_->size_to(static_cast<int>(norms_.size()) - 2);
     for (std::size_t pass = 0; pass + 1 < norms_.size(); ++pass) {
         for (std::size_t i = below; i-- > 0;) {
-            if (in_->exponents(i)[variable] >= pass) {
+            if (exponents[i] >= pass) {
                 c[i] += shift * c[raised[i]];
             }
         }

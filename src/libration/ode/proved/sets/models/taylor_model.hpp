@@ -26,6 +26,8 @@ public:
     std::size_t size_to(int degree) const { return degree < 0 ? 0 : ends_[static_cast<std::size_t>(degree)]; }
     int degree_of(std::size_t i) const { return degrees_[i]; }
     const std::vector<std::uint8_t>& exponents(std::size_t i) const { return exponents_[i]; }
+    /// The exponents of a variable in all monomials.
+    const std::vector<std::uint8_t>& exponents_of(std::size_t variable) const { return by_variable_[variable]; }
     /// Whether it is a square: between 0 and 1 on [-1, 1]^m.
     bool is_even(std::size_t i) const { return even_[i]; }
     /// The indices of the products of monomial i with the first size_to(degree() - degree_of(i)) ones.
@@ -35,6 +37,7 @@ private:
     std::size_t variables_;
     std::vector<std::size_t> ends_;
     std::vector<std::vector<std::uint8_t>> exponents_;
+    std::vector<std::vector<std::uint8_t>> by_variable_;
     std::vector<int> degrees_;
     std::vector<bool> even_;
     std::vector<std::size_t> first_products_;
