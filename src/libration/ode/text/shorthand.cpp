@@ -88,6 +88,13 @@ void replace_shorthands(equation_system& in) {
 }
 
 equation_system with_column(equation_system system, const std::string& name) {
+    const std::string undashed = name.substr(0, name.find('\''));
+    if (std::ranges::count(system.unknowns(), undashed) > 0) {
+        const bool given = static_cast<int>(name.size() - undashed.size()) < system.order_of(undashed);
+        refuse(name, {},
+               given ? "has a column already, as each unknown and lower derivative"
+                     : "is a derivative: name it in the problem, as v = " + name);
+    }
     const auto found = std::ranges::find(system.parameters, name, &definition::name);
     if (found == system.parameters.end() || found->value.is_constant()) {
         refuse(name, {},
