@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 
@@ -101,6 +102,22 @@ verdict judged_bounds(const std::string& lower, const std::string& upper, const 
         return above && below ? verdict::right : verdict::wrong;
     };
     return settled(exact, static_cast<long>(lower.size() + upper.size()), judge).value_or(verdict::undecided);
+}
+
+verdict judged_ball(const ball& enclosure, const truth& exact) {
+    constexpr double digits_of_bit = 0.302;
+    constexpr long bits_of_ends = 10'000;  // whose rounding, outwards, is far below a radius
+    const slong accurate = std::clamp<slong>(arb_rel_accuracy_bits(enclosure.handle()), 0, bits_of_ends / 2);
+    const auto judge = [&](const mpfr& fine, const mpfr& small) {
+        mpfr lower;
+        mpfr upper;
+        mpfr_set_prec(handle(lower), bits_of_ends);
+        mpfr_set_prec(handle(upper), bits_of_ends);
+        arb_get_interval_mpfr(handle(lower), handle(upper), enclosure.handle());
+        return lower <= fine + small && fine - small <= upper ? verdict::right : verdict::wrong;
+    };
+    const auto digits = static_cast<long>(static_cast<double>(accurate) * digits_of_bit) + 1;
+    return settled(exact, digits, judge).value_or(verdict::undecided);
 }
 
 int sign_of(const truth& exact, long most) {

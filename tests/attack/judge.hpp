@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "libration/scalar/ball/ball.hpp"
 #include "libration/scalar/mpfr.hpp"
 #include "libration/scalar/text/printed_number.hpp"
 
@@ -47,6 +48,9 @@ verdict judged(const proved_decimal& printed, long digits, const truth& exact);
 
 /// Whether lower <= x <= upper, where the bounds are decimals.
 verdict judged_bounds(const std::string& lower, const std::string& upper, const truth& exact);
+
+/// Whether the true value is in a ball.
+verdict judged_ball(const ball& enclosure, const truth& exact);
 
 /// -1, 0 or 1: the sign of the true value, 0 if it is 0 in every precision up to `most` digits.
 int sign_of(const truth& exact, long most = 3000);

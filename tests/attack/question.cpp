@@ -50,7 +50,8 @@ running_questions& running() {
 
 const std::vector<statement_kind>& statement_kinds() {
     static const std::vector<statement_kind> all{
-        {"value", "unknowns at a time", 310, ask_value},
+        {"value", "unknowns at a time", 290, ask_value},
+        {"stiff", "unknowns of stiff problems, most by collocation", 20, ask_stiff},
         {"special function", "solutions by functions of mpmath, alone and beside others", 30, ask_special_function},
         {"event", "times of events, and the unknowns there", 160, ask_event},
         {"count", "events before a time", 100, ask_count},

@@ -11,6 +11,7 @@
 #include "attack/judge.hpp"
 #include "attack/solved_problem.hpp"
 #include "libration/ode/explicit_system.hpp"
+#include "libration/ode/integrator.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/ode/proved/known_value.hpp"
 
@@ -28,6 +29,7 @@ struct statement_kind {
 const std::vector<statement_kind>& statement_kinds();
 
 outcome ask_value(choices& next);
+outcome ask_stiff(choices& next);
 outcome ask_special_function(choices& next);
 outcome ask_event(choices& next);
 outcome ask_count(choices& next);
@@ -101,7 +103,13 @@ inline ode::explicit_system system_of(const std::string& text) { return ode::exp
 
 /// Checks the values of the first columns at a time since the initial time; the message of an error by `refused`.
 outcome asked_values(const solved_problem& problem, const rational& since, long digits,
-                     const std::function<verdict(const std::string& message)>& refused);
+                     const std::function<verdict(const std::string& message)>& refused,
+                     ode::integrator_choice integrator = ode::integrator_choice::automatic);
+
+/// Checks the enclosures of all columns at a time, by one integration with so many bits, before they become digits: these
+/// hide bounds that are too small, because a step is chosen by an estimate of its error and not by the bound.
+outcome asked_enclosures(const solved_problem& problem, const rational& since, long bits,
+                         ode::integrator_choice integrator);
 
 /// The facts in the error of a trajectory: the solution exists up to the time in the message, which is before a
 /// singularity at `singular` (absolute; in the direction of the requested time).

@@ -8,13 +8,15 @@
 #include "libration/ode/proved/proved_trajectory.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/exact.hpp"
+#include "libration/scalar/text/decimal.hpp"
 
 namespace libration::attack {
 
 namespace {
 
-std::string value_command(const std::string& text, const std::string& time, long digits) {
-    return fmt::format("libration reference --problem \"{}\" --time={} --digits {}", text, time, digits);
+std::string value_command(const std::string& text, const std::string& time, long digits, ode::integrator_choice by) {
+    return fmt::format("libration reference --problem \"{}\" --time={} --digits {}{}", text, time, digits,
+                       by == ode::integrator_choice::collocation ? " --integrator collocation" : "");
 }
 
 }  // namespace
@@ -49,13 +51,16 @@ long any_digits(choices& next) {
 }
 
 outcome asked_values(const solved_problem& problem, const rational& since, long digits,
-                     const std::function<verdict(const std::string&)>& refused) {
+                     const std::function<verdict(const std::string&)>& refused, ode::integrator_choice integrator) {
     outcome result;
     const std::string time = problem.typed_time(since);
-    result.command = announce(value_command(problem.text, time, digits));
+    result.command = announce(value_command(problem.text, time, digits, integrator));
     try {
-        const auto states = ode::proved_trajectory(system_of(problem.text), {time_number(time)}, digits,
-                                                   [](const ball&, long) { require_time_left(); });
+        ode::proof_route route;
+        route.integrator = integrator;
+        const auto states = ode::proved_trajectory(
+            system_of(problem.text), {time_number(time)}, digits, [](const ball&, long) { require_time_left(); },
+            route);
         for (std::size_t i = 0; i < problem.columns.size(); ++i) {
             const truth exact = [&problem, &since, i] { return problem.values[i](real(since)); };
             const proved_decimal& printed = states.front()[i];
@@ -71,6 +76,32 @@ outcome asked_values(const solved_problem& problem, const rational& since, long 
     return result;
 }
 
+outcome asked_enclosures(const solved_problem& problem, const rational& since, long bits,
+                         ode::integrator_choice integrator) {
+    const std::string time = problem.typed_time(since);
+    const long digits = decimal_digits(bits);
+    return answered(value_command(problem.text, time, digits, integrator), [&](outcome& result) {
+        ode::proof_route route;
+        route.integrator = integrator;
+        const precision_scope scope(digits);
+        ode::proved_march march(
+            system_of(problem.text), bits, [](const ball&, long) { require_time_left(); },
+            ode::proved_march::usual_error_bits, route);
+        const auto state = march.at(time_number(time));
+        if (!state) {
+            result.add(verdict::refused, "the solution is not enclosed at that time");
+            return;
+        }
+        for (std::size_t i = 0; i < problem.columns.size(); ++i) {
+            const truth exact = [&problem, &since, i] { return problem.values[i](real(since)); };
+            const ball& found = (*state)[i];
+            result.add(judged_ball(found, exact),
+                       fmt::format("{} = {} +- {}", problem.columns[i], to_decimal(midpoint_of(found), digits),
+                                   to_decimal(midpoint_of(radius_of(found)), 3)));
+        }
+    });
+}
+
 ode::number time_number(const std::string& typed) { return as_expression(read_exact(typed)); }
 
 outcome ask_value(choices& next) {
@@ -78,7 +109,11 @@ outcome ask_value(choices& next) {
     const rational since = reached_time(problem, next);
     const double singular = since < 0 ? -problem.backward : problem.forward;
     const double from = problem.origin.convert_to<double>();
-    return asked_values(problem, since, any_digits(next), [&](const std::string& message) {
+    const long digits = any_digits(next);
+    if (next.one_in(3)) {
+        return asked_enclosures(problem, since, 4 * digits + next.between(20, 64), ode::integrator_choice::automatic);
+    }
+    return asked_values(problem, since, digits, [&](const std::string& message) {
         return problem.unit.empty() ? judged_existence(message, from, from + singular) : verdict::refused;
     });
 }
