@@ -420,7 +420,7 @@ FAULTS = [
         ("the slope of Kepler's equation at its approximate root alone", "kepler_slope(around, c, s)",
          "kepler_slope(at, c, s)"),
         ("the distance of the root as if the slope were 1", "ball(value / least_slope)", "value"),
-        ("the approximate root taken for the root", "const ball root = at - value / kepler_slope(around, c, s);",
+        ("the approximate root taken for the root", "ball root = at - value / kepler_slope(around, c, s);",
          "const ball root = at;"),
     ),
     *in_file(

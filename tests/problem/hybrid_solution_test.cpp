@@ -187,8 +187,8 @@ TEST_CASE("a number of a bounce that is exactly 0 does not lose the others", "[p
 TEST_CASE("sliding and tangential solutions end with the surface and the time", "[problem][hybrid]") {
     const std::string friction = "x' = -sign(x); x(0) = 1";
     CHECK(value_at(friction, "1/2", "x") == "0.500000000000000000000000000000");
-    CHECK_THAT(missing_of(friction, "2"), Catch::Contains("time '2' is not reached") &&
-                                              Catch::Contains("slides along the surface of `sign(x)`"));
+    CHECK_THAT(missing_of(friction, "2"),
+               Catch::Contains("time '2' is not reached") && Catch::Contains("slides along the surface of `sign(x)`"));
     const std::string touching = "y' = 2*(t - 1); x' = sign(y); y(0) = 1; x(0) = 0";
     CHECK_THAT(missing_of(touching, "2"), Catch::Contains("`sign(y)` is not decided") && Catch::Contains("touches"));
     CHECK_THROWS_WITH(solve(problem("x' = -sign(x); x(0) = 0")), Catch::Contains("slides"));

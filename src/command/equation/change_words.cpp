@@ -55,8 +55,7 @@ void require_changeable(const ode::equation_system& system, const std::string& c
     if (!whole || left.empty()) {
         return;
     }
-    if (std::ranges::all_of(left, is_of_name) && !system.has_parameter(left) &&
-        !has_other_meaning(system, left)) {
+    if (std::ranges::all_of(left, is_of_name) && !system.has_parameter(left) && !has_other_meaning(system, left)) {
         std::vector<std::string> own;
         std::ranges::transform(system.parameters, std::back_inserter(own), &ode::definition::name);
         std::ranges::transform(system.open, std::back_inserter(own), &ode::open_parameter::name);

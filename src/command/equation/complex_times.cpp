@@ -33,7 +33,7 @@ ode::complex_constant point_in(const std::string& option, const std::string& tex
 // As it would be typed: 1/2+3/4i would not be read as a fraction of i, hence fractions of the imaginary part come
 // first.
 std::string typed_text(const rational& re, const rational& im) {
-    const std::string real = re.str();
+    std::string real = re.str();
     if (im == 0) {
         return real;
     }

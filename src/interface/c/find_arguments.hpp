@@ -21,7 +21,8 @@ inline request watched_digits(long digits, const watcher& watch) {
 inline std::vector<std::string> conditions_of(const std::string& text) {
     std::vector<std::string> conditions;
     for (const auto& [left, right] : settings_of(text, "conditions")) {
-        conditions.push_back(left + " = " + right);
+        conditions.push_back(left);
+        conditions.back().append(" = ").append(right);
     }
     return conditions;
 }

@@ -209,7 +209,7 @@ double proved_march::radius_of_variations() const {
 // Returns whether that map needs more bits.
 bool proved_march::choose_length() {
     const variation_places places{lifted_.given, lifted_.leaves.size()};
-    const double wanted = static_cast<double>(bits_below_truncation - error_bits_);
+    const auto wanted = static_cast<double>(bits_below_truncation - error_bits_);
     const double of_centre = scales_.longest(*now_->tail_, now_->bits_, bits_below_the_set);
     const double at_first = std::min(of_centre, longest_for_map(*now_->set_tail_, scales_, places, wanted));
     const double growth = growth_of_terms(now_->of_set_, scales_, places, at_first);

@@ -157,7 +157,7 @@ bool singularity_search::is_one_pole(const candidate& loop, const plane_point& p
                 term *= (z - place) / loop.reach;
             }
         }
-        for (std::size_t k = static_cast<std::size_t>(order); k < sums.size(); ++k) {
+        for (auto k = static_cast<std::size_t>(order); k < sums.size(); ++k) {
             if (!(std::abs(sums[k]) < laurent_slack * size)) {
                 return false;
             }

@@ -62,6 +62,7 @@ std::vector<found_singularity> images_of(const found_singularity& one, int rotat
 
 std::vector<std::string> names_of(const explicit_system& of, const std::vector<std::size_t>& unknowns) {
     std::vector<std::string> names;
+    names.reserve(unknowns.size());
     for (const std::size_t i : unknowns) {
         names.push_back(of.unknowns()[i].name);
     }

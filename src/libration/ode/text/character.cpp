@@ -118,7 +118,7 @@ character first_character(std::string_view text) {
     if (static_cast<unsigned char>(source.front()) < 0x80) {
         return {source, source, character_kind::ascii};
     }
-    const auto found = std::ranges::find(spellings, source, &spelling::source);
+    const auto* const found = std::ranges::find(spellings, source, &spelling::source);
     return found != spellings.end() ? character{source, found->ascii, found->kind}
                                     : character{source, "", character_kind::other};
 }

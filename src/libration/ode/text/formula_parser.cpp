@@ -361,7 +361,7 @@ private:
     }
 
     expression in_parentheses(const place& opened) {
-        const expression value = before_end(opened);
+        expression value = before_end(opened);
         close(opened);
         return value;
     }
@@ -371,7 +371,7 @@ private:
         if (next_ >= last_) {
             refuse("(", opened, "is not closed: add a )");
         }
-        const expression value = sum();
+        expression value = sum();
         if (next_ >= last_) {
             refuse("(", opened, "is not closed: add a )");
         }

@@ -27,7 +27,7 @@ std::string function_meant_by(std::string name) {
                                                                                     {"arcsinh", "asinh"},
                                                                                     {"arccosh", "acosh"},
                                                                                     {"arctanh", "atanh"}}};
-    const auto found =
+    const auto* const found =
         std::ranges::find(others, std::string_view(name), &std::pair<std::string_view, std::string_view>::first);
     if (found != others.end()) {
         return std::string(found->second);

@@ -39,7 +39,7 @@ expression chosen_by(const expression& heaviside, const expression& a, const exp
 }  // namespace
 
 std::optional<piecewise_kind> piecewise_named(std::string_view name) {
-    const auto found = std::ranges::find(forms, name, &piecewise_form::name);
+    const auto* const found = std::ranges::find(forms, name, &piecewise_form::name);
     return found == forms.end() ? std::nullopt : std::optional(found->kind);
 }
 

@@ -123,6 +123,7 @@ std::vector<proved_decimal> proved_states::constants(const std::vector<motion_co
     }
     const auto proved = proved_decimals(digits_, [&] { return enclosed(open, about); });
     std::vector<proved_decimal> all;
+    all.reserve(known.size());
     auto next = proved.begin();
     for (const auto& each : known) {
         all.push_back(each ? *each : *next++);

@@ -50,7 +50,7 @@ ball kepler_equation::root_from(const mpfr& near) const {
     const ball at(near);
     const ball value = kepler_function(at, c, s, mean);
     const ball around = enclose(at, ball(value / least_slope));
-    const ball root = at - value / kepler_slope(around, c, s);
+    ball root = at - value / kepler_slope(around, c, s);
     if (!is_finite(root)) {
         throw precision_exhausted("the root of Kepler's equation");
     }

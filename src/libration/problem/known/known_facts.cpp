@@ -107,6 +107,7 @@ std::vector<proved_decimal> proved_for_infinity(const ode::equation_system& syst
     }
     const auto all = known.values(system, *limit, digits);
     std::vector<proved_decimal> asked;
+    asked.reserve(unknowns.size());
     for (const std::string& name : unknowns) {
         asked.push_back(
             all[static_cast<std::size_t>(std::ranges::find(known.unknowns, name) - known.unknowns.begin())]);

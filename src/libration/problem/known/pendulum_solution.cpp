@@ -145,6 +145,7 @@ std::vector<std::string> pendulum_solution::times_in_decimals(const std::vector<
         with_period.empty() ? std::vector<std::string>() : pendulum::proved_times(motion_, with_period, digits);
     auto next = proved.begin();
     std::vector<std::string> decimals;
+    decimals.reserve(times.size());
     for (const exact& time : times) {
         decimals.push_back(needs_period(time) ? *next++ : decimal_of(time, digits));
     }

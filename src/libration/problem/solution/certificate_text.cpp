@@ -13,7 +13,7 @@ std::string text_of_certificate(const ode::explicit_system& system, const ode::c
                                 const rational& farthest, long digits, const request& how) {
     const auto whole = farthest.convert_to<double>();
     return ode::certificate_of(system, statement, digits, [&](const ball& reached, long bits) {
-        const double time = midpoint_of(reached).convert_to<double>();
+        const auto time = midpoint_of(reached).convert_to<double>();
         if (how.reached) {
             how.reached(time, bits);
         }

@@ -82,6 +82,7 @@ private:
 
     static std::vector<rational> middles_of(const std::vector<ode::decimal_interval>& box) {
         std::vector<rational> result;
+        result.reserve(box.size());
         for (const auto& each : box) {
             result.emplace_back((each.low + each.high) / 2);
         }

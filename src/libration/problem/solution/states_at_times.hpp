@@ -26,13 +26,13 @@ inline ode::march_watch watch_of(const ode::number& point, const std::vector<ode
         return {};
     }
     const precision_scope few(digits_beyond_result);
-    const double origin = ode::constant_value<mpfr>::of(point).convert_to<double>();
+    const auto origin = ode::constant_value<mpfr>::of(point).convert_to<double>();
     double whole = 0;
     for (const ode::number& each : times) {
         whole = std::max(whole, ode::constant_value<mpfr>::of(each).convert_to<double>() - origin);
     }
     return [&how, origin, whole](const ball& reached, long bits) {
-        const double time = midpoint_of(reached).convert_to<double>();
+        const auto time = midpoint_of(reached).convert_to<double>();
         if (how.reached) {
             how.reached(time, bits);
         }

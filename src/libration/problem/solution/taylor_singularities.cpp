@@ -27,7 +27,7 @@ constexpr long digits_of_proof = 3;  ///< of positions, in addition to those tha
 
 std::string short_text(double x, int digits) {
     std::array<char, 40> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, digits).ptr;
+    auto* const end = std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, digits).ptr;
     return {text.data(), end};
 }
 

@@ -60,14 +60,14 @@ error_bound relative_bound(const true_value& truth, const rational& relative) {
 error_bound last_digit_of(const written_number& value, const true_value& truth, bool of_double, bool rounded) {
     const rational share(1, of_double || rounded ? 2 : 1);
     if (of_double) {
-        const error_bound own(rational(share * unit_in_last_place(value.value)));
+        error_bound own(rational(share * unit_in_last_place(value.value)));
         if (!truth.is_zero()) {
             return own;
         }
         const long exponent = binary_exponent(midpoint_of(truth.scale));
         return larger(error_bound(rational(share * power_of(2, exponent - double_digits))), own);
     }
-    const error_bound last_place(rational(share * value.last_place));
+    error_bound last_place(rational(share * value.last_place));
     if (!truth.is_zero() || value.value == 0) {
         return last_place;
     }

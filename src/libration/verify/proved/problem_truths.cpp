@@ -42,6 +42,7 @@ namespace {
 
 std::vector<std::string> unknowns_of(const explicit_system& system, const std::vector<solution_component>& asked) {
     std::vector<std::string> names;
+    names.reserve(asked.size());
     for (const solution_component& each : asked) {
         names.push_back(system.unknowns()[each.unknown].name);
     }

@@ -2,6 +2,7 @@
 // are compared.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -42,9 +43,9 @@ private:
     number time_;
     std::string text_;
     bool forward_ = true;
-    std::optional<number> given_up_[2];  // the nearest, before and behind the start
-    long steps_ = 0;                     // of the proof
-    long marked_steps_ = 0;              // where the length of steps was measured last
+    std::array<std::optional<number>, 2> given_up_;  // the nearest, before and behind the start
+    long steps_ = 0;                                 // of the proof
+    long marked_steps_ = 0;                          // where the length of steps was measured last
     std::optional<mpfr> marked_, mean_;
 };
 

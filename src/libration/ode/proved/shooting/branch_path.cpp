@@ -79,6 +79,7 @@ double branch_piece::part_at(double lambda) const {
 std::optional<branch_path::linear_map> branch_path::map_at(const std::vector<double>& z) const {
     const precision_scope scope(decimal_digits(bits_of_path));
     std::vector<ball> exact;
+    exact.reserve(z.size());
     for (const double each : z) {
         exact.push_back(exactly(each));
     }
@@ -98,6 +99,7 @@ std::optional<branch_path::linear_map> branch_path::map_at(const std::vector<dou
 
 std::vector<double> branch_path::weights_at(const std::vector<double>& z) const {
     std::vector<double> weights;
+    weights.reserve(z.size());
     for (const double each : z) {
         weights.push_back(1 / std::max(1.0, std::abs(each)));
     }

@@ -33,6 +33,7 @@ number exact_guess(double x) { return number(rational(x)); }
 
 std::vector<double> rough_values(const std::vector<known_value>& values) {
     std::vector<double> result;
+    result.reserve(values.size());
     for (const known_value& each : values) {
         result.push_back(rough_value(each));
     }
@@ -235,6 +236,7 @@ private:
         const auto pivot = static_cast<std::size_t>(
             std::ranges::max_element(direction, {}, [](double each) { return std::abs(each); }) - direction.begin());
         std::vector<number> of_direction;
+        of_direction.reserve(direction.size());
         for (const double each : direction) {
             of_direction.push_back(exact_guess(each / direction[pivot]));
         }

@@ -128,7 +128,7 @@ shooting turning_point_conditions(const shooting& conditions, const std::vector<
     for (const value_at_time& each : all.values()) {
         system.others.push_back(each.time);
     }
-    return {std::move(system), std::move(all), route, watch};
+    return {system, std::move(all), route, watch};
 }
 
 }  // namespace libration::ode

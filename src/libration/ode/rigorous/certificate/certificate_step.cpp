@@ -114,6 +114,7 @@ struct step_rounding::attempt {
         : by(prover), found(candidate), start(set), negligible(std::move(least)) {
         const auto all = [&](const std::vector<ball_polynomial>& of) {
             std::vector<std::vector<ball>> result;
+            result.reserve(of.size());
             for (const ball_polynomial& each : of) {
                 result.push_back(by.chebyshev(each));
             }

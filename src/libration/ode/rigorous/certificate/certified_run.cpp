@@ -151,7 +151,7 @@ bool certified_run::advance(const certificate_watch& watch) {
 
 void certified_run::count_step() {
     if (++taken_ % steps_of_estimate == 0) {
-        const double now = begin_.convert_to<double>();
+        const auto now = begin_.convert_to<double>();
         const double length = std::abs(now - counted_from_) / steps_of_estimate;
         const double longest = std::max(length, std::abs(now - start_) / static_cast<double>(taken_));
         const double expected = static_cast<double>(taken_) + std::abs(farthest_.convert_to<double>() - now) / longest;

@@ -57,6 +57,7 @@ std::optional<std::vector<taylor_model>> lifted_models(const lifted_system& of,
     }
     const monomial_set& in = given.front().in();
     std::vector<ball> centre;
+    centre.reserve(given.size());
     for (const taylor_model& each : given) {
         centre.push_back(constant_of(each));
     }

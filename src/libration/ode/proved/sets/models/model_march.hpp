@@ -40,7 +40,7 @@ public:
 private:
     friend class model_march;
     model_step(const tape& of_box, const tape& varied, std::size_t given, const monomial_set& in,
-               const monomial_set& linear);
+               const monomial_set& few);
 
     taylor_model of_box_at(std::size_t i, const ball& distance) const;
     const std::vector<magnitude>& reaches() const;
