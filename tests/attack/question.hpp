@@ -106,8 +106,8 @@ outcome asked_values(const solved_problem& problem, const rational& since, long 
                      const std::function<verdict(const std::string& message)>& refused,
                      ode::integrator_choice integrator = ode::integrator_choice::automatic);
 
-/// Checks the enclosures of all columns at a time, by one integration with so many bits, before they become digits: these
-/// hide bounds that are too small, because a step is chosen by an estimate of its error and not by the bound.
+/// Checks the enclosures of all columns at a time, by one integration with so many bits, before they become digits: digits
+/// of a value that is accurate enough do not show that its bound is too small.
 outcome asked_enclosures(const solved_problem& problem, const rational& since, long bits,
                          ode::integrator_choice integrator);
 

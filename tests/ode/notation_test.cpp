@@ -283,8 +283,7 @@ TEST_CASE("the corrected statement is shown where it is known", "[ode][parse][no
          "problem '\\?' at line 1, column 6 is not allowed in a problem: write names, numbers, + - * / ^ ( ) = and ;"},
         {"y' = 1 +\u2212y; y(0) = 1",
          "problem '+\u2212' at line 1, column 8 denotes an interval, which is not supported here: write one number, "
-         "and "
-         "a negative summand in parentheses"},
+         "and a negative summand in parentheses"},
     };
     for (const auto& [text, told] : wrong) {
         INFO(text);

@@ -160,7 +160,7 @@ TEST_CASE("names for expressions are replaced in equations and conditions", "[od
                       "problem 'k' is not a name for an expression in unknowns or time: define "
                       "it in the problem, as k = x^2 + y^2");
     CHECK_THROWS_WITH(with_column(given, "x"),
-                      "problem 'x' has a column already, as each unknown and lower derivative");
+                      "problem 'x' already has a column, like every unknown and lower derivative");
     CHECK_THROWS_WITH(with_column(given, "x'"), "problem 'x'' is a derivative: name it in the problem, as v = x'");
     CHECK_THROWS_WITH(changed(given, "r = 3"),
                       "problem 'r' at line 1, column 1 is a name for an expression in unknowns "

@@ -92,7 +92,7 @@ equation_system with_column(equation_system system, const std::string& name) {
     if (std::ranges::count(system.unknowns(), undashed) > 0) {
         const bool given = static_cast<int>(name.size() - undashed.size()) < system.order_of(undashed);
         refuse(name, {},
-               given ? "has a column already, as each unknown and lower derivative"
+               given ? "already has a column, like every unknown and lower derivative"
                      : "is a derivative: name it in the problem, as v = " + name);
     }
     const auto found = std::ranges::find(system.parameters, name, &definition::name);

@@ -33,7 +33,7 @@ public:
     ball length_of_step() const override { return length_.exact(); }
     std::vector<ball> values_at(const ball& distance) const override;
     std::vector<ball> narrow_values_at(const ball& distance) const override;
-    /// One of them, the range of its polynomial by narrow_range().
+    /// One of them, the range of its polynomial by narrow_range(), no narrower than `enough` requires.
     ball narrow_value_at(std::size_t i, const ball& distance, long log2_of_excess,
                          std::optional<enough_bounds> enough) const;
 

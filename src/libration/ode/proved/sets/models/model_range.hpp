@@ -15,7 +15,7 @@ inline constexpr long log2_of_excess_at_times = -12;
 struct enough_bounds {
     ball lower, upper;
 
-    /// Those of numbers that are to be widened by so much.
+    /// The bounds of numbers that are to be widened by so much afterwards.
     enough_bounds before_widening(const magnitude& by) const {
         return {upper_bound(lower + by.exact()), lower_bound(upper - by.exact())};
     }
