@@ -135,7 +135,8 @@ private:
             default: break;
         }
         const relation holds = relation_of(condition);
-        return fmt::format("if({} > {}, {}, {})", of(*holds.left).text, of(*holds.right).text, a, b);
+        return fmt::format("if({} {} {}, {}, {})", of(*holds.left).text, holds.or_equal ? ">=" : ">",
+                           of(*holds.right).text, a, b);
     }
 
     std::string chosen_by_all(const ASTNode& all, unsigned int i, const std::string& a, const std::string& b) const {
@@ -190,17 +191,19 @@ formula formula_of(const ASTNode& node, const name_meaning& names, const std::st
 
 relation relation_of(const ASTNode& condition) {
     const bool two_sides = condition.getNumChildren() == 2;
-    switch (static_cast<int>(condition.getType())) {
+    const auto type = static_cast<int>(condition.getType());
+    const bool or_equal = type == AST_RELATIONAL_GEQ || type == AST_RELATIONAL_LEQ;
+    switch (type) {
         case AST_RELATIONAL_GT:
         case AST_RELATIONAL_GEQ:
             if (two_sides) {
-                return {condition.getChild(0), condition.getChild(1)};
+                return {condition.getChild(0), condition.getChild(1), or_equal};
             }
             break;
         case AST_RELATIONAL_LT:
         case AST_RELATIONAL_LEQ:
             if (two_sides) {
-                return {condition.getChild(1), condition.getChild(0)};
+                return {condition.getChild(1), condition.getChild(0), or_equal};
             }
             break;
         default: break;

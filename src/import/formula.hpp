@@ -48,6 +48,7 @@ formula formula_of(const ASTNode& node, const name_meaning& names, const std::st
 struct relation {
     const ASTNode* left;
     const ASTNode* right;
+    bool or_equal;
 };
 
 /// The relation of a trigger, with its sides exchanged for < and <=. Throws unsupported for any other condition.

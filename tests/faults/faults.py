@@ -722,10 +722,6 @@ FAULTS = [
     ),
     *in_file(
         "src/libration/ode/hybrid/proved/branch_entry.cpp", ["problem/hybrid_solution_test.cpp"],
-        ("sliding not recognised", "piece_->steps[each.index].sign() * each.orientation != start.sign",
-         "piece_->steps[each.index].sign() * each.orientation == 2 * start.sign"),
-        ("the branch before the crossing", "effect->orientation * direction_of(next_->way)",
-         "-effect->orientation * direction_of(next_->way)"),
         ("resets from values that are reset", "with_leaves(value.value, leaves, before)",
          "with_leaves(value.value, leaves, now)"),
     ),

@@ -80,8 +80,8 @@ struct state_event {
 
 enum class step_kind { sign, floor };
 
-/// sign(argument) or floor(argument/divisor) in the equations, in which a parameter of this name represents it. The
-/// argument may contain earlier step functions.
+/// sign(argument), with sign(0) = 0, or floor(argument/divisor) in the equations, in which a parameter of this name
+/// represents it, and two further ones the indicators of a sign. The argument may contain earlier step functions.
 struct step_function {
     std::string parameter = {};
     step_kind kind = step_kind::sign;
@@ -90,6 +90,15 @@ struct step_function {
     std::string text = {};                 ///< as written: abs(x), if(x > 0, a, b)
     place at = {};
 };
+
+/// The parameters that represent [argument > 0] and [argument >= 0], 1 if that holds and else 0, of the sign with this
+/// parameter.
+inline std::string name_of_positive(const std::string& parameter) { return parameter + " > 0"; }
+inline std::string name_of_nonnegative(const std::string& parameter) { return parameter + " >= 0"; }
+/// All parameters that represent a step function, where it has this value.
+std::vector<definition> parameters_of(const step_function& step, const number& value);
+/// The same parameters, each as an expression of its name: with them parameter_values leaves step functions unchanged.
+std::map<std::string, expression> kept_steps(const std::vector<step_function>& steps);
 
 /// An unknown or a lower derivative at an earlier time, x(t - delay), in the equations, in which a parameter of this
 /// name represents it.

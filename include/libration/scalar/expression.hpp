@@ -113,10 +113,16 @@ public:
     /// One evaluation with this number of bits, rounded outwards at each step; std::nullopt if they do not suffice to
     /// prove that a value is inside the domain of a function.
     std::optional<number_bounds> bounds_at(long bits) const;
-    /// Bounds with upper - lower <= 2^-bits |x|, from 64 more bits on, doubled as often as necessary. Throws
-    /// libration::error of kind undecided if the limit of the cost (about a second) is reached first: then the number
-    /// may be 0.
+    /// Bounds with upper - lower <= 2^-bits |x|, from 64 more bits on, doubled as often as necessary; both are 0 for a
+    /// number that separation_exponent shows to be 0. Throws libration::error of kind undecided if the limit of the cost
+    /// (about a second) is reached first: then the number may be 0.
     number_bounds narrowed(long bits) const;
+    /// An exponent e such that the number is 0 or at least 2^-e, if it is built from fractions by sums, products,
+    /// quotients, and powers with fractions as exponents, and e is below 2^22. It is U/L with algebraic integers U, L of
+    /// a field of degree at most D, the product of the degrees of all roots in it, and all conjugates of U are at most
+    /// u, those of L at most l. The norm of U is an integer: if it is not 0, |U| >= u^(1-D), and the number is at least
+    /// u^(1-D)/l [Burnikel2009].
+    std::optional<long> separation_exponent() const;
     /// -1, 0 or 1, proved. Throws as narrowed().
     int sign() const;
 
@@ -124,6 +130,7 @@ private:
     struct atom;
     class comparison;
     class evaluation;
+    class separation;
     struct term {
         rational coefficient;
         std::shared_ptr<const atom> of;

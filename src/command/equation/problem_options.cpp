@@ -9,7 +9,7 @@
 
 #include "equation/change_words.hpp"
 #include "libration/ode/delay/delay_system.hpp"
-#include "libration/ode/hybrid/proved/first_steps.hpp"
+#include "libration/ode/hybrid/proved/initial_mode.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/ode/unused_parameters.hpp"
 #include "libration/problem/catalogue.hpp"
@@ -277,7 +277,7 @@ ode::explicit_system problem_options::choose_first_branch() const {
             return ode::delay_system(system).first_equations();
         }
         const ode::hybrid_system hybrid(system);
-        return hybrid.first_branch(ode::steps_after_start(hybrid));
+        return hybrid.first_branch(ode::values_at_start(hybrid));
     });
 }
 

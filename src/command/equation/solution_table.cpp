@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdio>
 
 namespace libration {
 
@@ -99,11 +100,23 @@ void add_numbers(table_row_cells& row, const std::vector<answer_value>& values, 
     }
 }
 
+// Each once.
+void add_notes(partial_table& to, const partial_table& from) {
+    for (const answer_note& each : from.notes) {
+        if (std::ranges::find(to.notes, each.text, &answer_note::text) == to.notes.end()) {
+            to.notes.push_back(each);
+        }
+    }
+}
+
 void add_paragraph(std::string& text, const std::string& paragraph) { text += (text.empty() ? "" : "\n") + paragraph; }
 
 }  // namespace
 
 void require_complete(const partial_table& of) {
+    for (const answer_note& each : of.notes) {
+        fmt::print(stderr, "libration: {}\n", each.text);
+    }
     if (of.missing) {
         throw error(*of.missing);
     }
@@ -112,8 +125,12 @@ void require_complete(const partial_table& of) {
 partial_table states_table(const answer& found, const std::vector<exact>& times,
                            const std::vector<std::string>& decimals, long digits, const shared_cells& shared) {
     const auto columns = columns_of_answer(found, shared);
-    partial_table result{table(columns), lines_of(shared.before_time) + lines_of(shared.behind_values), "",
-                         found.missing, found.collocation};
+    partial_table result{table(columns),
+                         lines_of(shared.before_time) + lines_of(shared.behind_values),
+                         "",
+                         found.missing,
+                         found.collocation,
+                         found.notes};
     if (!result.heading.empty()) {
         result.heading += line_of("digits", std::to_string(digits)) + line_of("rigour", found.rigour) +
                           lines_of(shared.behind_rigour);
@@ -163,7 +180,7 @@ partial_table events_table(const answer& found, long digits) {
     if (has_undecided(found)) {
         columns.push_back({"undecided", ""});
     }
-    partial_table result{table(std::move(columns)), "", "", found.missing, found.collocation};
+    partial_table result{table(std::move(columns)), "", "", found.missing, found.collocation, found.notes};
     long count = 0;
     for (const auto& event : found.rows) {
         table_row_cells row;
@@ -213,7 +230,7 @@ partial_table family_table(const std::vector<family_member>& family, const std::
     for (const std::string& name : names) {
         columns.push_back({name, ""});
     }
-    partial_table all{table(std::move(columns)), "", "", {}, {}};
+    partial_table all{table(std::move(columns)), "", "", {}};
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const auto own = members_of(parts[i].rows.columns(), &column::name);
         for (const auto& row : parts[i].rows.rows()) {
@@ -228,13 +245,14 @@ partial_table family_table(const std::vector<family_member>& family, const std::
         }
         all.missing = all.missing ? all.missing : parts[i].missing;
         all.collocation.insert(all.collocation.end(), parts[i].collocation.begin(), parts[i].collocation.end());
+        add_notes(all, parts[i]);
     }
     all.text = lines_of_states(all.rows);
     return all;
 }
 
 partial_table stacked_states(const std::vector<partial_table>& parts) {
-    partial_table all{table(parts.front().rows.columns()), "", "", {}, {}};
+    partial_table all{table(parts.front().rows.columns()), "", "", {}};
     const std::string* heading = &all.heading;
     for (const partial_table& part : parts) {
         all.rows.append(part.rows);
@@ -245,6 +263,7 @@ partial_table stacked_states(const std::vector<partial_table>& parts) {
         all.text += (all.text.empty() || part.text.empty() ? "" : "\n") + part.text;
         all.missing = all.missing ? all.missing : part.missing;
         all.collocation.insert(all.collocation.end(), part.collocation.begin(), part.collocation.end());
+        add_notes(all, part);
     }
     return all;
 }

@@ -33,6 +33,7 @@ struct partial_table {
     std::string heading, text;
     std::optional<error> missing;
     std::vector<ode::collocation_use> collocation = {};  ///< answer::collocation
+    std::vector<answer_note> notes = {};                 ///< answer::notes
 
     /// Whether there is something to write: false if the first time is missing already.
     bool has_output() const { return !missing || !rows.rows().empty(); }
@@ -42,7 +43,7 @@ struct partial_table {
 /// columns that not all of them have are left out. What the first table misses is missing.
 partial_table family_table(const std::vector<family_member>& family, const std::vector<partial_table>& parts);
 
-/// Throws the error of what is missing, once the rest has been written.
+/// Throws the error of what is missing, once the rest has been written, with the notes on stderr.
 void require_complete(const partial_table& of);
 
 /// The results at these times, with `decimals` as they are printed.

@@ -53,6 +53,26 @@ void refuse(const std::string& what, const place& at, const std::string& reason)
     throw error(error_kind::argument, "problem", beginning_of(what), where + reason);
 }
 
+std::vector<definition> parameters_of(const step_function& step, const number& value) {
+    std::vector<definition> all{{step.parameter, expression(value), step.at}};
+    if (step.kind == step_kind::sign) {
+        const int sign = value.sign();
+        all.push_back({name_of_positive(step.parameter), expression(sign > 0 ? 1 : 0), step.at});
+        all.push_back({name_of_nonnegative(step.parameter), expression(sign >= 0 ? 1 : 0), step.at});
+    }
+    return all;
+}
+
+std::map<std::string, expression> kept_steps(const std::vector<step_function>& steps) {
+    std::map<std::string, expression> kept;
+    for (const step_function& each : steps) {
+        for (const definition& of : parameters_of(each, number())) {
+            kept.emplace(of.name, parameter(of.name));
+        }
+    }
+    return kept;
+}
+
 equation_system& equation_system::add(const expression& left, const expression& right) {
     equations.push_back({left, right, {}});
     return *this;

@@ -66,11 +66,32 @@ TEST_CASE("the standard notation of events and piecewise functions is read as th
     const std::string text =
         "y'' = -sign(y) + if(y <= 1, 2 y, 0); y(0) = 1; y'(0) = 0; when 2y = 0 down: y' = -2y', stop";
     const std::string standard = canonical_text(text);
-    CHECK(standard == "y'' = -sign(y) + if(y<1, 2*y, 0)\ny(0) = 1\ny'(0) = 0\nwhen 2*y = 0 down: y' = -2*y'\nstop\n");
+    CHECK(standard == "y'' = -sign(y) + if(y<=1, 2*y, 0)\ny(0) = 1\ny'(0) = 0\nwhen 2*y = 0 down: y' = -2*y'\nstop\n");
     CHECK(canonical_text(standard) == standard);
     const auto system = parse(standard);
     CHECK(system.events.size() == 1);
     CHECK(system.events[0].stop);
+}
+
+TEST_CASE("conditions keep whether they hold where both sides are equal", "[ode][parse][hybrid]") {
+    const auto value_for = [](const std::string& condition, int sign) {
+        const hybrid_system hybrid(parse("y' = if(" + condition + ", 1, 0); x' = 1; x(0) = 0; y(0) = 0"));
+        return hybrid.first_branch({number(rational(sign))}).right()[0].fraction();
+    };
+    for (const int sign : {-1, 0, 1}) {
+        INFO(sign);
+        CHECK(value_for("x > 0", sign) == rational(sign > 0 ? 1 : 0));
+        CHECK(value_for("x >= 0", sign) == rational(sign >= 0 ? 1 : 0));
+        CHECK(value_for("x ≥ 0", sign) == rational(sign >= 0 ? 1 : 0));
+        // The sign is that of 0 - x here.
+        CHECK(value_for("x < 0", sign) == rational(sign > 0 ? 1 : 0));
+        CHECK(value_for("x <= 0", sign) == rational(sign >= 0 ? 1 : 0));
+    }
+    // One sign for both, of x; -x >= 0 is x <= 0.
+    const auto both = parse("y' = if(x > 0, 1, 0) + if(-x >= 0, 2, 0); x' = 1; x(0) = 0; y(0) = 0");
+    REQUIRE(both.steps.size() == 1);
+    CHECK(hybrid_system(both).first_branch({number(rational(0))}).right()[0].fraction() == rational(2));
+    CHECK(hybrid_system(both).first_branch({number(rational(1))}).right()[0].fraction() == rational(1));
 }
 
 TEST_CASE("events and piecewise functions are refused with the remedy", "[ode][parse][hybrid]") {
@@ -85,7 +106,6 @@ TEST_CASE("events and piecewise functions are refused with the remedy", "[ode][p
     check_refused("y' = if(y, 1, 2); y(0) = 0", "is not a comparison: write if(x > 0, a, b)");
     check_refused("y' = if(y > 0, 1); y(0) = 0", "another number of arguments than 3: write if(x > 0, a, b)");
     check_refused("y' = abs(y, 1); y(0) = 0", "another number of arguments than 1: write abs(x)");
-    check_refused("y' = floor(y); y(0) = 0", "linear in t");
     check_refused("y' = y; y(0) = abs(2)", "is piecewise, which is supported only in equations");
 }
 

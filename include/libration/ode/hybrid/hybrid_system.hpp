@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,11 +12,13 @@
 
 namespace libration::ode {
 
-/// The values of the step functions of a system, in order: -1 or 1, an integer; a constant may also be 0.
+/// The values of the step functions of a system, in order: -1, 0 or 1 for a sign, which is 0 where its argument is 0 on
+/// the whole branch, and an integer for a floor.
 using step_values = std::vector<number>;
 
 /// What happens where a function g crosses 0: the event or the step function of this index. `orientation` is
-/// 1 if its own function, left - right or the argument, has the sign of g, -1 if it has the opposite sign.
+/// 1 if its own function, left - right, the argument or its distance from a level of floor, has the sign of g, -1 if it
+/// has the opposite sign.
 struct crossing_effect {
     std::size_t index = 0;
     int orientation = 1;
@@ -32,6 +35,9 @@ struct surface {
     std::string text;  ///< of the first of them, as written
 };
 
+/// The largest integer n with n divisor <= x, by exact comparisons; the divisor is positive.
+number floor_of(const number& x, const number& divisor);
+
 /// The sign of the quotient of two expressions if it is a constant that is found: for equal or opposite forms, and for
 /// linear expressions with fractions as coefficients; 0 for others.
 int relative_sign(const expression& a, const expression& b);
@@ -44,8 +50,7 @@ using state_variation = std::vector<std::optional<std::size_t>>;
 /// which is valid until an event, the crossing of one of its surfaces.
 class hybrid_system {
 public:
-    /// Throws error for values that are reset and are not part of the state, for events at all times or never, and for
-    /// floor(u) if u is not linear in the variable, with constant coefficients.
+    /// Throws error for values that are reset and are not part of the state, and for events at all times or never.
     explicit hybrid_system(const equation_system& given);
 
     /// The values of the state before any branch is known, in the order of names_of_state.
@@ -65,13 +70,16 @@ public:
     /// The equations of the branch from the initial values of the problem, and the branch.
     equation_system first_equations(const step_values& values) const { return equations(values, point_, starts_); }
     explicit_system first_branch(const step_values& values) const { return branch(values, point_, starts_); }
+    /// The index of the step function that a parameter in the equations represents.
+    std::size_t step_of(const std::string& parameter) const { return step_places_.at(parameter); }
     /// The argument of a step function, where earlier ones have these values.
     expression argument(std::size_t step, const step_values& values) const;
     /// Its value if the argument is constant on the branch.
     std::optional<number> constant_step(std::size_t step, const step_values& values) const;
-    /// The value of floor(u) at a time from which u is followed forwards.
-    number floor_after(std::size_t step, const step_values& values, const number& time) const;
-    /// The surfaces of a branch whose crossing matters, each once.
+    /// Whether it is a sign that is 0 on the branch although its argument is not constant.
+    bool is_at_rest(std::size_t step, const step_values& values) const;
+    /// The surfaces of a branch whose crossing matters, each once: those of floor(u/d) = n are u = n d and
+    /// u = (n + 1) d.
     std::vector<surface> surfaces(const step_values& values) const;
     /// Adds a surface for the zeros of a function, or returns the one that has them.
     static surface& add_surface(std::vector<surface>& to, const expression& g, const std::string& text);
@@ -80,12 +88,14 @@ private:
     equation_system equations(const step_values& values, const number& point, const std::vector<number>& state) const;
     void read_starts(parameter_values& parameters);
     void require_state_in_events() const;
+    std::vector<expression> levels(std::size_t step, const expression& u, const number& value) const;
 
     equation_system given_;  // without parameters, except those of the step functions
     std::vector<expression> leaves_;
     std::vector<number> starts_;
     number point_;
     std::vector<state_variation> variations_;
+    std::map<std::string, std::size_t> step_places_;
 };
 
 /// Replaces parameters in the equations, step functions and events of a system.

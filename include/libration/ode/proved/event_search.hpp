@@ -46,8 +46,8 @@ struct search_start {
     /// A ball that contains the time after which zeros are searched, and no time before the point; the point itself if
     /// there is none. The solutions are continued back from that time to the point by the equations.
     std::optional<ball> begins = {};
-    int sign = 1;          ///< of g directly after that time
-    bool at_zero = false;  ///< whether g is 0 at that time, and its derivative has this sign
+    int sign = 1;   ///< of g directly after that time
+    int order = 0;  ///< of the first derivative of g that is not 0 at that time, and has this sign
 };
 
 /// The same from all states of a set, directly after the point of the system.

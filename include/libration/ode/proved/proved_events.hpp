@@ -50,6 +50,8 @@ struct event_report {
     std::optional<error> missing;
     /// Where the last run used collocation, if it did.
     std::vector<collocation_use> collocation = {};
+    /// hybrid_path::by_relation.
+    std::vector<std::string> by_relation = {};
 };
 
 /// Called after each step of the integrator and each event with the time that the current run has reached, its bits,

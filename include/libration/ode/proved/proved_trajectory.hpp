@@ -23,6 +23,8 @@ struct partial_trajectory {
     std::optional<error> missing;
     /// Of the last run of each independent subsystem in each direction, where collocation was used.
     std::vector<collocation_use> collocation = {};
+    /// hybrid_path::by_relation.
+    std::vector<std::string> by_relation = {};
 };
 
 /// The unknowns and their lower derivatives, in order, at times in any order on both sides of the initial point:

@@ -12,7 +12,8 @@ namespace {
 
 number integer_number(long n) { return number(rational(n)); }
 
-// The largest integer n with n divisor <= x, by comparisons of x with multiples of the divisor.
+}  // namespace
+
 number floor_of(const number& x, const number& divisor) {
     rational lower;
     const number quotient = x / divisor;
@@ -31,6 +32,8 @@ number floor_of(const number& x, const number& divisor) {
     }
     return below;
 }
+
+namespace {
 
 bool is_state_of(const std::vector<expression>& leaves, const expression& e) {
     return std::ranges::any_of(leaves, [&](const expression& leaf) { return same_form(leaf, e); });
@@ -135,23 +138,14 @@ hybrid_system::hybrid_system(const equation_system& given) : given_(given) {
     given_.invariants.clear();
     given_.exact.clear();
     require_numbers(given_);
-    std::map<std::string, expression> open;
-    for (const step_function& each : given_.steps) {
-        open.emplace(each.parameter, parameter(each.parameter));
-    }
-    parameter_values parameters(given, std::move(open));
+    parameter_values parameters(given, kept_steps(given_.steps));
     put_values(given_, parameters);
     read_starts(parameters);
     given_.parameters.clear();
     require_state_in_events();
     for (std::size_t i = 0; i < given_.steps.size(); ++i) {
-        const step_function& step = given_.steps[i];
-        const step_values zeros(given_.steps.size());
-        const expression u = argument(i, zeros);
-        if (step.kind == step_kind::floor && !u.is_constant() && !linear_in_variable::of(u)) {
-            refuse(step.text, step.at,
-                   "is not supported: write an argument that is linear in " + given_.variable +
-                       ", with constant coefficients");
+        for (const definition& each : parameters_of(given_.steps[i], number())) {
+            step_places_.emplace(each.name, i);
         }
     }
 }
@@ -259,7 +253,9 @@ equation_system hybrid_system::equations(const step_values& values, const number
     smooth.steps.clear();
     smooth.starts.clear();
     for (std::size_t i = 0; i < values.size(); ++i) {
-        smooth.set(given_.steps[i].parameter, expression(values[i]));
+        for (const definition& each : parameters_of(given_.steps[i], values[i])) {
+            smooth.set(each.name, each.value);
+        }
     }
     for (std::size_t k = 0; k < leaves_.size(); ++k) {
         smooth.begin(leaves_[k], expression(state[k]), expression(point));
@@ -268,12 +264,18 @@ equation_system hybrid_system::equations(const step_values& values, const number
 }
 
 expression hybrid_system::argument(std::size_t step, const step_values& values) const {
-    return replaced(given_.steps[step].argument, [&](const expression& leaf) -> std::optional<expression> {
-        if (leaf.kind() != node_kind::parameter) {
-            return std::nullopt;
+    const expression& u = given_.steps[step].argument;
+    if (!u.has_parameters()) {
+        return u;
+    }
+    std::map<std::string, expression> known;
+    for (std::size_t i = 0; i < step; ++i) {
+        for (const definition& each : parameters_of(given_.steps[i], values[i])) {
+            known.emplace(each.name, each.value);
         }
-        const auto which = std::ranges::find(given_.steps, leaf.name(), &step_function::parameter);
-        return expression(values[static_cast<std::size_t>(which - given_.steps.begin())]);
+    }
+    return replaced(u, [&](const expression& leaf) {
+        return leaf.kind() == node_kind::parameter ? std::optional(known.at(leaf.name())) : std::nullopt;
     });
 }
 
@@ -286,12 +288,25 @@ std::optional<number> hybrid_system::constant_step(std::size_t step, const step_
                                                       : floor_of(u.constant(), given_.steps[step].divisor);
 }
 
-number hybrid_system::floor_after(std::size_t step, const step_values& values, const number& time) const {
-    const auto u = *linear_in_variable::of(argument(step, values));
-    const number here = u.slope * time + u.at_zero;
-    const number below = floor_of(here, given_.steps[step].divisor);
-    const bool falls_from_integer = u.slope.sign() < 0 && (here - below * given_.steps[step].divisor).sign() == 0;
-    return falls_from_integer ? below - integer_number(1) : below;
+bool hybrid_system::is_at_rest(std::size_t step, const step_values& values) const {
+    return given_.steps[step].kind == step_kind::sign && values[step].sign() == 0 &&
+           argument(step, values).kind() != node_kind::constant;
+}
+
+// The functions of which floor(u/d) = n changes at the zeros: of a function that is linear in time, in one direction.
+std::vector<expression> hybrid_system::levels(std::size_t step, const expression& u, const number& value) const {
+    const step_function& of = given_.steps[step];
+    if (of.kind == step_kind::sign) {
+        return {u};
+    }
+    const auto linear = linear_in_variable::of(u);
+    std::vector<expression> all;
+    for (const int above : {0, 1}) {
+        if (!linear || (linear->slope.sign() > 0) == (above == 1)) {
+            all.push_back(u - expression((value + integer_number(above)) * of.divisor));
+        }
+    }
+    return all;
 }
 
 surface& hybrid_system::add_surface(std::vector<surface>& to, const expression& g, const std::string& text) {
@@ -318,17 +333,14 @@ std::vector<surface> hybrid_system::surfaces(const step_values& values) const {
         return linear ? linear->slope.sign() : relative_sign(of.g, g);
     };
     for (std::size_t i = 0; i < given_.steps.size(); ++i) {
-        expression u = argument(i, values);
-        if (u.kind() == node_kind::constant) {
+        const expression u = argument(i, values);
+        if (u.kind() == node_kind::constant || is_at_rest(i, values)) {
             continue;
         }
-        if (given_.steps[i].kind == step_kind::floor) {
-            const bool rises = linear_in_variable::of(u)->slope.sign() > 0;
-            const number level = rises ? values[i] + integer_number(1) : values[i];
-            u = u - expression(level * given_.steps[i].divisor);
+        for (const expression& each : levels(i, u, values[i])) {
+            surface& at = add_surface(all, each, given_.steps[i].text);
+            at.steps.push_back({i, orientation(at, each)});
         }
-        surface& at = add_surface(all, u, given_.steps[i].text);
-        at.steps.push_back({i, orientation(at, u)});
     }
     for (std::size_t i = 0; i < given_.events.size(); ++i) {
         const expression& g = given_.events[i].condition;

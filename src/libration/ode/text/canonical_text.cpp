@@ -21,9 +21,10 @@ std::string text_of_token(const token& word) {
         case token_kind::numeral: return word.raised ? word.value.str() : word.text;
         case token_kind::name: return primed(word.text, word.primes);
         case token_kind::symbol:
-            return word.symbol == ',' || word.symbol == ':' ? std::string(1, word.symbol) + " "
-                   : word.symbol == interval_sign           ? " +- "
-                                                            : std::string(1, word.symbol);
+            return word.or_equal                              ? std::string(1, word.symbol) + "="
+                   : word.symbol == ',' || word.symbol == ':' ? std::string(1, word.symbol) + " "
+                   : word.symbol == interval_sign             ? " +- "
+                                                              : std::string(1, word.symbol);
     }
     return {};
 }

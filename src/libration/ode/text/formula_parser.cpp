@@ -305,8 +305,14 @@ private:
         }
         take('(');
         const place opened = words_[next_ - 1].at;
-        std::vector<expression> arguments{kind == piecewise_kind::conditional ? difference_in_condition(opened)
-                                                                              : before_end(opened)};
+        std::optional<comparison> condition;
+        std::vector<expression> arguments;
+        if (kind == piecewise_kind::conditional) {
+            condition = comparison_in(opened);
+            arguments.push_back(condition->difference);
+        } else {
+            arguments.push_back(before_end(opened));
+        }
         while (take(',')) {
             arguments.push_back(before_end(opened));
         }
@@ -317,18 +323,22 @@ private:
                        form_of(kind));
         }
         const std::string text = text_of(words_, name, next_);
-        return folded(word.at, [&] { return step_collector(into_->steps).value_of(kind, arguments, text, word.at); });
+        return folded(word.at, [&] {
+            step_collector steps(into_->steps);
+            return condition ? steps.chosen(*condition, arguments[1], arguments[2], text, word.at)
+                             : steps.value_of(kind, arguments, text, word.at);
+        });
     }
 
-    // a - b of the condition a > b, b - a of a < b.
-    expression difference_in_condition(const place& opened) {
+    // a > b and a >= b by a - b, a < b and a <= b by b - a.
+    comparison comparison_in(const place& opened) {
         const expression left = before_end(opened);
         const token& sign = words_[next_];
         if (!take('<') && !take('>')) {
             refuse(sign.text, sign.at, "is not a comparison: write " + form_of(piecewise_kind::conditional));
         }
         const expression right = before_end(opened);
-        return sign.symbol == '>' ? left - right : right - left;
+        return {sign.symbol == '>' ? left - right : right - left, sign.or_equal};
     }
 
     void refuse_comma(const token& word, const std::string& reason) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "libration/ode/hybrid/hybrid_system.hpp"
@@ -30,12 +31,6 @@ constexpr std::array<piecewise_form, 9> forms{{{"if", piecewise_kind::conditiona
 
 const piecewise_form& form_at(piecewise_kind kind) { return *std::ranges::find(forms, kind, &piecewise_form::kind); }
 
-expression heaviside_by(const expression& sign) { return expression(rational(1, 2)) * (1 + sign); }
-
-expression chosen_by(const expression& heaviside, const expression& a, const expression& b) {
-    return heaviside * a + (1 - heaviside) * b;
-}
-
 }  // namespace
 
 std::optional<piecewise_kind> piecewise_named(std::string_view name) {
@@ -50,34 +45,52 @@ std::string form_of(piecewise_kind kind) { return std::string(form_at(kind).form
 expression step_collector::value_of(piecewise_kind kind, const std::vector<expression>& arguments,
                                     const std::string& text, const place& at) {
     const expression& u = arguments.front();
-    const auto sign_of = [&](const expression& of) { return sign(of, text, at); };
+    const auto sign_of_u = [&] {
+        const oriented_sign found = sign(u, text, at);
+        return found.orientation * parameter(found.parameter);
+    };
+    const auto if_positive = [&](const expression& difference, const expression& a, const expression& b) {
+        return chosen({difference}, a, b, text, at);
+    };
     const auto floor_by = [&](int pis) {
         const number divisor = pis == 0 ? number(rational(1)) : number(rational(pis), unit::pi);
         return floor(u, divisor, text, at);
     };
     switch (kind) {
-        case piecewise_kind::conditional: return chosen_by(heaviside_by(sign_of(u)), arguments[1], arguments[2]);
-        case piecewise_kind::absolute: return sign_of(u) * u;
-        case piecewise_kind::sign: return sign_of(u);
-        case piecewise_kind::maximum: return chosen_by(heaviside_by(sign_of(u - arguments[1])), u, arguments[1]);
-        case piecewise_kind::minimum: return chosen_by(heaviside_by(sign_of(u - arguments[1])), arguments[1], u);
-        case piecewise_kind::heaviside: return heaviside_by(sign_of(u));
+        case piecewise_kind::conditional: break;
+        case piecewise_kind::absolute: return if_positive(u, u, -u);
+        case piecewise_kind::sign: return sign_of_u();
+        case piecewise_kind::maximum: return if_positive(u - arguments[1], u, arguments[1]);
+        case piecewise_kind::minimum: return if_positive(u - arguments[1], arguments[1], u);
+        case piecewise_kind::heaviside: return expression(rational(1, 2)) * (1 + sign_of_u());
         case piecewise_kind::floor: return floor_by(0);
         case piecewise_kind::square: return 1 - 2 * (floor_by(1) - 2 * floor_by(2));
         case piecewise_kind::sawtooth: return u / expression(number(1, unit::pi)) - 1 - 2 * floor_by(2);
     }
-    return {};
+    throw std::logic_error("a conditional without its comparison");
+}
+
+expression step_collector::chosen(const comparison& condition, const expression& a, const expression& b,
+                                  const std::string& text, const place& at) {
+    const oriented_sign found = sign(condition.difference, text, at);
+    const auto indicator = [&](bool or_equal) {
+        return parameter(or_equal ? name_of_nonnegative(found.parameter) : name_of_positive(found.parameter));
+    };
+    // [-u > 0] = 1 - [u >= 0].
+    const expression holds = found.orientation > 0 ? indicator(condition.or_equal) : 1 - indicator(!condition.or_equal);
+    return holds * a + (1 - holds) * b;
 }
 
 // One parameter for arguments that are equal up to a constant factor.
-expression step_collector::sign(const expression& argument, const std::string& text, const place& at) {
+step_collector::oriented_sign step_collector::sign(const expression& argument, const std::string& text,
+                                                   const place& at) {
     for (const step_function& each : steps_) {
         const int relative = each.kind == step_kind::sign ? relative_sign(each.argument, argument) : 0;
         if (relative != 0) {
-            return relative * parameter(each.parameter);
+            return {each.parameter, relative};
         }
     }
-    return added({.kind = step_kind::sign, .argument = argument, .text = text, .at = at});
+    return {added({.kind = step_kind::sign, .argument = argument, .text = text, .at = at})};
 }
 
 expression step_collector::floor(const expression& argument, const number& divisor, const std::string& text,
@@ -87,13 +100,14 @@ expression step_collector::floor(const expression& argument, const number& divis
             return parameter(each.parameter);
         }
     }
-    return added({.kind = step_kind::floor, .argument = argument, .divisor = divisor, .text = text, .at = at});
+    return parameter(
+        added({.kind = step_kind::floor, .argument = argument, .divisor = divisor, .text = text, .at = at}));
 }
 
-expression step_collector::added(step_function made) {
+const std::string& step_collector::added(step_function made) {
     made.parameter = "step " + std::to_string(steps_.size() + 1);
     steps_.push_back(std::move(made));
-    return parameter(steps_.back().parameter);
+    return steps_.back().parameter;
 }
 
 }  // namespace libration::ode

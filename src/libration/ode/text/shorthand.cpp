@@ -50,9 +50,7 @@ void replace_shorthands(equation_system& in) {
     for (const open_parameter& each : in.open) {
         keep(each.name);
     }
-    for (const step_function& each : in.steps) {
-        keep(each.parameter);
-    }
+    kept.merge(kept_steps(in.steps));
     for (const delayed_value& each : in.delays) {
         keep(each.parameter);
     }

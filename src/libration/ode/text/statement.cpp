@@ -222,6 +222,7 @@ private:
         }
         if (rest_.starts_with("<=") || rest_.starts_with(">=")) {
             made.symbol = c.source.front();
+            made.or_equal = true;
             return 2;
         }
         if (const std::size_t bytes = bytes_of_interval_sign(c)) {
@@ -230,6 +231,7 @@ private:
         }
         if (c.kind == character_kind::symbol || (c.kind == character_kind::ascii && is_allowed(c.source.front()))) {
             made.symbol = c.ascii.front();
+            made.or_equal = c.kind == character_kind::symbol && (made.symbol == '<' || made.symbol == '>');
             return c.source.size();
         }
         refuse_symbol(c);

@@ -24,8 +24,9 @@ struct token {
     char symbol = ' ';
     int primes = 0;
     place at;
-    bool touches = false;  ///< whether it follows the previous token without a blank
-    bool raised = false;   ///< whether it is written as a superscript
+    bool touches = false;   ///< whether it follows the previous token without a blank
+    bool raised = false;    ///< whether it is written as a superscript
+    bool or_equal = false;  ///< of < and >: whether it is <= or >=
 };
 
 /// The tokens up to ; or the end of a line, or to a comma outside parentheses; at least one.

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "libration/digits/proved/printed_values.hpp"
-#include "libration/ode/hybrid/proved/first_steps.hpp"
 #include "libration/ode/hybrid/proved/hybrid_derivatives.hpp"
 #include "libration/ode/hybrid/proved/hybrid_trajectory.hpp"
+#include "libration/ode/hybrid/proved/initial_mode.hpp"
 #include "libration/ode/parse.hpp"
 #include "libration/ode/trajectory.hpp"
 #include "libration/problem/proved_answer.hpp"
@@ -46,7 +46,7 @@ hybrid_solution::hybrid_solution(ode::equation_system equations)
     : solution(ode::names_of_state(ode::hybrid_system(equations))),
       equations_(std::move(equations)),
       system_(equations_),
-      first_(system_.first_equations(ode::steps_after_start(system_))) {}
+      first_(system_.first_equations(ode::values_at_start(system_))) {}
 
 answer hybrid_solution::states(const std::vector<exact>& times, const request& how) const {
     require_plain_states(how, unsupported);

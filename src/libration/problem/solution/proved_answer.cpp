@@ -13,6 +13,16 @@ namespace {
 
 constexpr const char* rigour_of_proofs = "proved";
 
+// Where a relation as written decides, for solutions that remain on a switching surface.
+std::vector<answer_note> notes_of_relations(const std::vector<std::string>& by_relation) {
+    std::vector<answer_note> notes;
+    for (const std::string& each : by_relation) {
+        notes.push_back({"relation", "the two sides of `" + each +
+                                         "` remain equal for some time, in which the relation as written decides"});
+    }
+    return notes;
+}
+
 }  // namespace
 
 answer_value value_in_answer(const ode::known_value& value) {
@@ -27,6 +37,7 @@ answer answer_of(std::vector<std::string> names, const ode::partial_trajectory& 
     }
     result.missing = found.missing;
     result.collocation = found.collocation;
+    result.notes = notes_of_relations(found.by_relation);
     return result;
 }
 
@@ -40,6 +51,7 @@ answer answer_of(const std::vector<std::string>& quantities, const ode::event_re
     }
     result.missing = found.missing;
     result.collocation = found.collocation;
+    result.notes = notes_of_relations(found.by_relation);
     return result;
 }
 

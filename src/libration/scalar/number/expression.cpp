@@ -264,6 +264,16 @@ expression expression::of_atom(atom a) {
 expression operator*(const expression& a, const expression& b) {
     const auto factor = a.fraction() ? a.fraction() : b.fraction();
     if (!factor) {
+        // (c L/R) (d R) = c d L: 1/pi times pi is 1.
+        for (const auto& [quotient, other] :
+             {std::pair(a.only_term(), b.only_term()), {b.only_term(), a.only_term()}}) {
+            const bool divides = quotient != nullptr && quotient->of->kind == atom_kind::quotient && other != nullptr;
+            const auto* const below = divides ? quotient->of->right.only_term() : nullptr;
+            if (below != nullptr && expression::same_atom(*below->of, *other->of)) {
+                return quotient->of->left * expression(within_limits(rational(
+                                                quotient->coefficient * other->coefficient / below->coefficient)));
+            }
+        }
         return expression::of_atom({atom_kind::product, function_kind::exp, a, b});
     }
     expression result = a.fraction() ? b : a;
@@ -287,6 +297,11 @@ expression operator/(const expression& a, const expression& b) {
     const auto* const below = b.only_term();
     if (above != nullptr && below != nullptr && expression::same_atom(*above->of, *below->of) && b.sign() != 0) {
         return expression(within_limits(rational(above->coefficient / below->coefficient)));
+    }
+    if (below != nullptr && below->of->kind == atom_kind::quotient && below->of->left.fraction()) {
+        // a/(c L/R) = a R/(c L): 1/(1/pi) is pi.
+        const rational rest = below->coefficient * *below->of->left.fraction();
+        return a * below->of->right * expression(within_limits(rational(1 / rest)));
     }
     return expression::of_atom({atom_kind::quotient, function_kind::exp, a, b});
 }

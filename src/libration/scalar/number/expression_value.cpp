@@ -112,6 +112,12 @@ bool is_narrow(const number_bounds& x, long bits) {
     return width == 0 || binary_exponent(width) <= binary_exponent(size) - 2 - bits;
 }
 
+// Whether both ends are smaller than 2^exponent.
+bool is_below(const number_bounds& x, long exponent) {
+    const auto small = [&](const mpfr& end) { return end == 0 || binary_exponent(end) < exponent; };
+    return small(x.lower) && small(x.upper);
+}
+
 }  // namespace
 
 // One evaluation in the current precision: shared atoms are evaluated once.
@@ -200,9 +206,17 @@ long expression::most_bits() const {
 }
 
 number_bounds expression::narrowed(long bits) const {
+    std::optional<long> exponent;
     for (long at = bits + 64;; at *= 2) {
-        if (auto found = bounds_at(at); found && is_narrow(*found, bits)) {
+        auto found = bounds_at(at);
+        if (found && is_narrow(*found, bits)) {
             return *std::move(found);
+        }
+        if (found && found->lower <= 0 && found->upper >= 0) {
+            exponent = exponent ? exponent : separation_exponent();
+            if (exponent && is_below(*found, -*exponent)) {
+                return {mpfr(0), mpfr(0)};
+            }
         }
         if (at > std::max(most_bits(), 4 * bits)) {
             throw error(error_kind::undecided, "number", "",

@@ -35,7 +35,10 @@ struct path_event {
     std::string text;                   ///< the condition as written
 };
 
+class branch_beginning;
 class branch_search;
+struct crossed_surface;
+struct found_crossing;
 
 /// One branch of the solution, between two events.
 struct path_piece {
@@ -55,9 +58,8 @@ struct path_piece {
 /// there, by Picard's theorem. At the lower end c of T it is in A + (c - T) f(Z): the next branch is integrated from this
 /// set at the exact time c, and it is the solution from t* on. Known times are exact, and c is the time itself.
 ///
-/// Beyond a zero of the argument of a step function the solution continues on the branch on the other side if the
-/// derivative of the argument, on that branch, has the sign of the crossing: the crossing is transversal. If it has the
-/// opposite sign the solution slides, which ends the path.
+/// At the beginning of each branch mode_after (initial_mode.hpp) decides the values of all step functions, or the path
+/// ends.
 class hybrid_path {
 public:
     /// The maximum number of events.
@@ -89,16 +91,20 @@ public:
     /// The time of the last of them, or the initial time.
     const ball& last_event() const { return last_time_; }
     long bits() const { return bits_; }
+    /// The step functions of which the argument remained 0 on a branch, so that their values there, and not the signs
+    /// of their arguments, decided the right-hand side; as written.
+    const std::vector<std::string>& by_relation() const { return by_relation_; }
 
 private:
-    // After an event: what was crossed, the leaves in terms of their values before, and the states.
+    // After an event: the leaves in terms of their values before, and the states.
     struct entered_branch {
-        surface crossed;
         std::vector<expression> leaves;
         std::vector<ball> state;
     };
 
-    bool search_branch(const entered_branch* entered);
+    void note_relations(const std::vector<std::size_t>& steps);
+    bool search_branch(const branch_beginning* beginning);
+    path_event event_of(const found_crossing& found) const;
     crossing way_of(const surface& of) const;
     int observed_orientation(const surface& of) const;
     bool is_observed(const surface& of, crossing way) const;
@@ -106,14 +112,16 @@ private:
     bool has_effect(const surface& of, crossing way) const;
     bool find(const std::optional<number>& end, long horizon);
     std::vector<expression> reset_leaves() const;
-    std::optional<step_values> steps_after(const entered_branch& entered);
-    std::optional<search_start> start_on(const surface& of, const entered_branch& entered);
+    std::vector<std::size_t> crossed_steps() const;
+    std::vector<expression> zero_functions() const;
+    std::optional<search_start> start_on(const surface& of, const branch_beginning& beginning);
     bool complete(path_event& event);
     bool accumulates();
     bool take();
+    bool continue_on_branch();
     explicit_system branch_after(const entered_branch& entered, const step_values& values) const;
     bool add_saltation(entered_branch& entered, const step_values& values);
-    bool enter(const entered_branch& entered, const step_values& values);
+    bool enter(const entered_branch& entered, const step_values& values, const branch_beginning& beginning);
     std::optional<std::vector<ball>> state_before(const number& time);
     int before_or_after(const number& time, const path_event& event) const;
     bool certainly_before(const number& time) const;
@@ -130,7 +138,7 @@ private:
     std::unique_ptr<branch_search> search_;  // on the branch
     std::unique_ptr<proved_march> march_;    // for states on it
     std::optional<path_event> next_;         // at which the branch ends
-    std::optional<surface> crossed_;         // there
+    std::vector<crossed_surface> crossed_;   // there
     std::optional<path_event> observed_event_;
     std::vector<ball> before_last_;  // on the branch before, at all times of the ball in which this one begins
     std::vector<bool> reset_last_;   // whether that event resets a value
@@ -138,6 +146,7 @@ private:
     long count_ = 0;                 // of events
     long shorter_ = 0;               // of the last intervals, those that were far shorter than the time
     bool at_event_ = false;
+    std::vector<std::string> by_relation_;
     path_end end_ = path_end::none;
     std::string reason_;
 };

@@ -1,11 +1,13 @@
 // Events of hybrid paths: the state and the branch after each.
 #include <algorithm>
-#include <iterator>
+#include <ranges>
 #include <utility>
 
 #include "../../proved/needed_bits.hpp"
 #include "branch_search.hpp"
 #include "libration/ode/hybrid/proved/hybrid_path.hpp"
+#include "libration/ode/hybrid/proved/initial_mode.hpp"
+#include "libration/scalar/error.hpp"
 #include "states_around.hpp"
 
 namespace libration::ode {
@@ -17,8 +19,6 @@ namespace {
 constexpr long most_short_intervals = 8;
 constexpr long bits_of_short_intervals = 40;
 
-int direction_of(crossing way) { return way == crossing::down ? -1 : 1; }
-
 // Of an expression in leaves.
 ball value_in(const first_order_form& form, const expression& e, const std::vector<ball>& state, const ball& time) {
     expression_values<ball> values(form.leaves, time);
@@ -28,24 +28,25 @@ ball value_in(const first_order_form& form, const expression& e, const std::vect
     return values.of(e);
 }
 
-std::vector<number> midpoints(const std::vector<ball>& state) {
-    std::vector<number> all;
-    std::ranges::transform(state, std::back_inserter(all), [](const ball& x) { return number_of(midpoint_alone(x)); });
-    return all;
-}
-
 }  // namespace
 
-// What the leaves are after an event, in terms of their values before: the resets of each event in order.
+// What the leaves are after an event, in terms of their values before: the resets of all statements that it meets, in
+// the order of the statements.
 std::vector<expression> hybrid_path::reset_leaves() const {
+    std::vector<std::size_t> happening;
+    for (const crossed_surface& each : crossed_) {
+        for (const crossing_effect& event : each.of.events) {
+            if (happens(event, each.way)) {
+                happening.push_back(event.index);
+            }
+        }
+    }
+    std::ranges::sort(happening);
     const auto& leaves = system_.leaves();
     std::vector<expression> now = leaves;
-    for (const crossing_effect& each : crossed_->events) {
-        if (!happens(each, next_->way)) {
-            continue;
-        }
+    for (const std::size_t index : happening) {
         const std::vector<expression> before = now;
-        for (const reset& value : system_.events()[each.index].resets) {
+        for (const reset& value : system_.events()[index].resets) {
             const auto k =
                 std::ranges::find_if(leaves, [&](const expression& leaf) { return same_form(leaf, value.of); });
             now[static_cast<std::size_t>(k - leaves.begin())] = with_leaves(value.value, leaves, before);
@@ -54,64 +55,57 @@ std::vector<expression> hybrid_path::reset_leaves() const {
     return now;
 }
 
-// The step functions after the event, the arguments of those that are not crossed by their signs.
-std::optional<step_values> hybrid_path::steps_after(const entered_branch& entered) {
-    step_values values = piece_->steps;
-    const first_order_form form(piece_->system);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const auto effect = std::ranges::find(crossed_->steps, i, &crossing_effect::index);
-        const bool crossed = effect != crossed_->steps.end();
-        if (const auto constant = system_.constant_step(i, values)) {
-            values[i] = *constant;
-        } else if (system_.steps()[i].kind == step_kind::floor) {
-            values[i] = crossed ? values[i] + number(rational(effect->orientation)) : values[i];
-        } else {
-            const expression u = system_.argument(i, values);
-            const expression after = with_leaves(u, system_.leaves(), entered.leaves);
-            if (crossed && (crossed_->time || relative_sign(after, crossed_->g) != 0)) {
-                values[i] = number(rational(effect->orientation * direction_of(next_->way)));
-            } else if (!linear_in_variable::of(u)) {
-                const int sign = known_sign(value_in(form, form.in_leaves(u), entered.state, next_->time));
-                if (sign == 0 && !same_form(after, u)) {
-                    ended(path_end::undecided, "the sign of the argument of `" + system_.steps()[i].text +
-                                                   "` is not decided after the event");
-                    return std::nullopt;
-                }
-                values[i] = sign == 0 ? values[i] : number(rational(sign));
-            }
+std::vector<std::size_t> hybrid_path::crossed_steps() const {
+    std::vector<std::size_t> all;
+    for (const crossed_surface& each : crossed_) {
+        for (const crossing_effect& effect : each.of.steps) {
+            all.push_back(effect.index);
         }
     }
-    return values;
+    return all;
+}
+
+// Functions of the state that are 0 at the event.
+std::vector<expression> hybrid_path::zero_functions() const {
+    std::vector<expression> all;
+    for (const crossed_surface& each : crossed_) {
+        all.push_back(each.of.g);
+    }
+    for (std::size_t i = 0; i < piece_->steps.size(); ++i) {
+        if (system_.is_at_rest(i, piece_->steps)) {
+            all.push_back(system_.argument(i, piece_->steps));
+        }
+    }
+    return all;
 }
 
 // The beginning of the search for the zeros of a surface of the branch that was entered.
-std::optional<search_start> hybrid_path::start_on(const surface& of, const entered_branch& entered) {
+std::optional<search_start> hybrid_path::start_on(const surface& of, const branch_beginning& beginning) {
     search_start start{.state = *piece_->state, .begins = piece_->begins};
     if (of.time) {
         return start;
     }
-    const first_order_form form(piece_->system);
-    const expression after = with_leaves(of.g, system_.leaves(), entered.leaves);
-    const bool crossed = !entered.crossed.time && relative_sign(after, entered.crossed.g) != 0;
-    start.at_zero = crossed || after.is(0);
-    const auto& around = piece_->on_the_way;
-    const expression g = form.in_leaves(of.g);
-    start.sign = known_sign(value_in(form, start.at_zero ? form.slope_of(g) : g, around, last_time_));
-    if (start.sign == 0) {
-        ended(path_end::undecided,
-              start.at_zero ? "`" + of.text +
-                                  "` is not crossed transversally: the derivative of its two sides is not "
-                                  "distinguished after the event"
-                            : "`" + of.text + "` is not distinguished from an event directly after this one");
-        return std::nullopt;
-    }
+    std::optional<int> sign;  // of the step functions that are signs
     for (const crossing_effect& each : of.steps) {
-        if (start.at_zero && piece_->steps[each.index].sign() * each.orientation != start.sign) {
-            ended(path_end::sliding, "the solution slides along the surface of `" + system_.steps()[each.index].text +
-                                         "`: both branches lead back to it");
-            return std::nullopt;
+        if (system_.steps()[each.index].kind == step_kind::sign) {
+            sign = piece_->steps[each.index].sign() * each.orientation;
         }
     }
+    const auto here = beginning.sign(of.g);
+    const auto leading = !here        ? std::optional(leading_derivative{0, sign.value_or(0)})
+                         : *here != 0 ? std::optional(leading_derivative{0, *here})
+                                      : beginning.leading(of.g, slopes_in_given(piece_->system));
+    if (!leading || leading->sign == 0 || (sign && *sign != leading->sign)) {
+        ended(path_end::undecided,
+              here && *here == 0
+                  ? "`" + of.text +
+                        "` is not crossed transversally: the derivative of its two sides is not distinguished after "
+                        "the event"
+                  : "`" + of.text + "` is not distinguished from an event directly after this one");
+        return std::nullopt;
+    }
+    start.order = leading->order;
+    start.sign = leading->sign;
     return start;
 }
 
@@ -124,11 +118,14 @@ bool hybrid_path::accumulates() {
 
 // Continues on the branch after the event; false for the reason end().
 bool hybrid_path::take() {
-    for (const crossing_effect& each : crossed_->events) {
-        if (system_.events()[each.index].stop && happens(each, next_->way)) {
-            last_time_ = next_->time;
-            ++count_;
-            return ended(path_end::stop, "`" + system_.events()[each.index].text + "` ends the solution");
+    for (const crossed_surface& surface : crossed_) {
+        for (const crossing_effect& each : surface.of.events) {
+            const state_event& event = system_.events()[each.index];
+            if (event.stop && happens(each, surface.way)) {
+                last_time_ = next_->time;
+                ++count_;
+                return ended(path_end::stop, "`" + event.text + "` ends the solution");
+            }
         }
     }
     if (!complete(*next_)) {
@@ -139,21 +136,47 @@ bool hybrid_path::take() {
                                                  std::to_string(bits_of_short_intervals) +
                                                  " of the time, as where infinitely many of them accumulate");
     }
-    entered_branch entered{.crossed = *crossed_, .leaves = reset_leaves(), .state = {}};
+    try {
+        return continue_on_branch();
+    } catch (const error&) {
+        return ended(
+            path_end::undecided,
+            "the equations of the next branch cannot be expanded about its beginning, or need more bits there");
+    }
+}
+
+bool hybrid_path::continue_on_branch() {
+    last_time_ = next_->time;
+    ++count_;
+    entered_branch entered{.leaves = reset_leaves(), .state = {}};
     const first_order_form form(piece_->system);
     for (std::size_t k = 0; k < entered.leaves.size(); ++k) {
         const bool kept = same_form(entered.leaves[k], system_.leaves()[k]);
         entered.state.push_back(kept ? next_->state[k]
                                      : value_in(form, form.in_leaves(entered.leaves[k]), next_->state, next_->time));
     }
-    const auto values = steps_after(entered);
-    return values && (system_.variations().empty() || add_saltation(entered, *values)) && enter(entered, *values);
+    const branch_beginning beginning(system_, next_->time, next_->exactly, entered.leaves, zero_functions(),
+                                     entered.state);
+    const initial_mode mode = mode_after(beginning, piece_->steps, crossed_steps());
+    if (!mode.values) {
+        return ended(mode.failure == mode_failure::sliding ? path_end::sliding : path_end::undecided,
+                     mode.reason(system_));
+    }
+    const bool rests = std::ranges::any_of(std::views::iota(std::size_t{0}, mode.values->size()),
+                                           [&](std::size_t i) { return system_.is_at_rest(i, *mode.values); });
+    if (rests && !system_.variations().empty()) {
+        return ended(path_end::undecided,
+                     "the solution remains on a switching surface, which nearby solutions may leave");
+    }
+    note_relations(mode.by_relation);
+    return (system_.variations().empty() || add_saltation(entered, *mode.values)) &&
+           enter(entered, *mode.values, beginning);
 }
 
 // From the beginning of the ball of times of the event.
 explicit_system hybrid_path::branch_after(const entered_branch& entered, const step_values& values) const {
     const number begin = next_->exactly ? *next_->exactly : number_of(lower_bound(next_->time));
-    return system_.branch(values, begin, midpoints(entered.state));
+    return system_.branch(values, begin, midpoints_of(entered.state));
 }
 
 // The derivatives of the state after the event (theorem H, 4), from those before it in `entered`.
@@ -165,15 +188,15 @@ bool hybrid_path::add_saltation(entered_branch& entered, const step_values& valu
     const auto slopes = before.slopes_at(next_->state, time);
     const auto slopes_after = after.slopes_at(entered.state, time);
     const auto value = [&](const expression& e) { return value_in(before, before.in_leaves(e), next_->state, time); };
-    const expression& g = crossed_->g;
+    const expression& g = crossed_.front().of.g;
     const ball slope_of_g = value_in(before, before.slope_of(before.in_leaves(g)), next_->state, time);
-    if (!crossed_->time && contains_zero(slope_of_g)) {
-        return ended(path_end::undecided,
-                     "the derivative of the two sides of `" + crossed_->text + "` is not distinguished from 0 there");
+    if (!next_->exactly && contains_zero(slope_of_g)) {
+        return ended(path_end::undecided, "the derivative of the two sides of `" + crossed_.front().of.text +
+                                              "` is not distinguished from 0 there");
     }
     for (const state_variation& each : system_.variations()) {
         ball of_time(0);
-        for (std::size_t l = 0; l < leaves.size() && !crossed_->time; ++l) {
+        for (std::size_t l = 0; l < leaves.size() && !next_->exactly; ++l) {
             if (each[l]) {
                 of_time -= value(partial(g, leaves[l])) * next_->state[*each[l]] / slope_of_g;
             }
@@ -197,7 +220,7 @@ bool hybrid_path::add_saltation(entered_branch& entered, const step_values& valu
 }
 
 // From the states after the event at a time of its ball to the branch from the beginning of that ball.
-bool hybrid_path::enter(const entered_branch& entered, const step_values& values) {
+bool hybrid_path::enter(const entered_branch& entered, const step_values& values, const branch_beginning& beginning) {
     if (!std::ranges::all_of(entered.state, [](const ball& x) { return is_finite(x); })) {
         return ended(path_end::undecided, "the states after the event are not enclosed");
     }
@@ -225,12 +248,10 @@ bool hybrid_path::enter(const entered_branch& entered, const step_values& values
     for (std::size_t k = 0; k < entered.leaves.size(); ++k) {
         reset_last_.push_back(!same_form(entered.leaves[k], system_.leaves()[k]));
     }
-    last_time_ = times;
-    ++count_;
     piece_ = std::move(piece);
     next_.reset();
-    crossed_.reset();
-    return search_branch(&entered);
+    crossed_.clear();
+    return search_branch(&beginning);
 }
 
 }  // namespace libration::ode

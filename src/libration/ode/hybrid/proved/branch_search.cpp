@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "../../proved/needed_bits.hpp"
+#include "libration/scalar/error.hpp"
 
 namespace libration::ode {
 
@@ -11,6 +12,19 @@ namespace {
 
 // The number of steps by which the searches advance in turn, at first.
 constexpr long first_steps = 4;
+
+// The fraction with the least denominator between two numbers: their common integer part, and the inverse of the one
+// between the inverses of what remains.
+rational simplest_between(const rational& low, const rational& high) {
+    integer whole;
+    mpz_fdiv_q(whole.backend().data(), mpq_numref(low.backend().data()), mpq_denref(low.backend().data()));
+    if (low == whole) {
+        return low;
+    }
+    return high >= whole + 1
+               ? rational(whole + 1)
+               : rational(whole + 1 / simplest_between(rational(1 / (high - whole)), rational(1 / (low - whole))));
+}
 
 // The end of a search: no later than the given one and the end of a ball.
 void shorten(std::optional<number>& end, const ball& time) {
@@ -21,12 +35,6 @@ void shorten(std::optional<number>& end, const ball& time) {
 }
 
 }  // namespace
-
-number number_of(const ball& exact) {
-    rational value;
-    mpfr_get_q(value.backend().data(), handle(midpoint_of(exact)));
-    return number(value);
-}
 
 branch_search::branch_search(const explicit_system& system, std::vector<watched_surface> surfaces, const ball& begins,
                              long bits, const proof_route& route, const march_watch& watch)
@@ -134,6 +142,7 @@ bool branch_search::advance(watched& each, const std::optional<number>& end, lon
 
 std::optional<found_crossing> branch_search::next(const std::optional<number>& end, long horizon) {
     end_ = path_end::none;
+    reached_.reset();
     const auto known = first_known_time(end);
     std::optional<number> bound = end;
     if (known) {
@@ -162,49 +171,108 @@ std::optional<found_crossing> branch_search::next(const std::optional<number>& e
 
 // The first of the crossings that were found.
 std::optional<found_crossing> branch_search::first_of(const std::optional<std::size_t>& known) {
-    std::optional<found_crossing> first;
+    std::optional<std::size_t> first = known;
     ball time;
     if (known) {
-        first = {*known, std::nullopt};
         time = enclosed_number(*watched_[*known].of.of.time);
+        reach(time);
     }
     for (std::size_t i = 0; i < watched_.size(); ++i) {
         const auto& found = watched_[i].found;
+        if (found) {
+            reach(found->time);
+        }
         if (found && (!first || certainly_less(upper_bound(found->time), upper_bound(time)))) {
-            first = {i, found};
+            first = i;
             time = found->time;
         }
     }
+    const watched* blocking = nullptr;
     for (const watched& each : watched_) {
-        if (each.limit && (!first || !certainly_less(time, *each.limit))) {
-            reached_ = lower_bound(*each.limit);
-            return ended(each.why, each.reason);
+        if (each.limit && (!first || !certainly_less(time, *each.limit)) &&
+            (blocking == nullptr || certainly_less(lower_bound(*each.limit), lower_bound(*blocking->limit)))) {
+            blocking = &each;
         }
     }
-    if (!first) {
-        return ended(path_end::time, "");
+    if (blocking != nullptr) {
+        reach(*blocking->limit);
+        return ended(blocking->why, blocking->reason);
     }
-    return separated(*first, time) ? first : std::nullopt;
+    return first ? crossing_at(*first, time) : ended(path_end::time, "");
 }
 
-bool branch_search::separated(const found_crossing& first, const ball& time) {
+// Nothing is crossed before this time, as far as it is concerned.
+void branch_search::reach(const ball& time) {
+    const ball lower = lower_bound(time);
+    if (!reached_ || certainly_less(lower, *reached_)) {
+        reached_ = lower;
+    }
+}
+
+// The first crossing, with the others at the same exact time; std::nullopt if it is not separated from another one.
+std::optional<found_crossing> branch_search::crossing_at(std::size_t first, const ball& time) {
+    std::vector<std::size_t> near{first};
     for (std::size_t i = 0; i < watched_.size(); ++i) {
-        const surface& other = watched_[i].of.of;
-        std::optional<ball> its_time;
-        if (watched_[i].found) {
-            its_time = watched_[i].found->time;
-        } else if (other.time && first.event) {
-            its_time = enclosed_number(*other.time);
-        }
-        if (i != first.surface && its_time && overlaps(*its_time, time)) {
-            reached_ = lower_bound(time);
-            ended(path_end::undecided, "`" + watched_[first.surface].of.of.text + "` and `" + other.text +
-                                           "` are crossed at the same time, or are not distinguished by " +
-                                           std::to_string(bits_) + " bits");
-            return false;
+        const auto& known = watched_[i].of.of.time;
+        const bool overlapping = watched_[i].found ? overlaps(watched_[i].found->time, time)
+                                                   : known && overlaps(enclosed_number(*known), time);
+        if (i != first && overlapping && !(known && watched_[first].of.of.time)) {
+            near.push_back(i);
         }
     }
-    return true;
+    found_crossing result{near, {}, watched_[first].found, watched_[first].of.of.time};
+    if (near.size() > 1) {
+        result.event.reset();
+        result.exactly = common_time(near);
+        if (!result.exactly) {
+            return ended(path_end::undecided, "`" + watched_[near[0]].of.of.text + "` and `" +
+                                                  watched_[near[1]].of.of.text +
+                                                  "` are crossed at the same time, or are not distinguished by " +
+                                                  std::to_string(bits_) + " bits");
+        }
+    }
+    for (const std::size_t i : near) {
+        const auto& found = watched_[i].found;
+        result.crossed.push_back({watched_[i].of.of, found ? found->way : crossing::up});
+    }
+    return result;
+}
+
+// Known exactly, or a fraction, or one of pi.
+std::optional<number> branch_search::common_time(const std::vector<std::size_t>& surfaces) const {
+    std::vector<number> candidates;
+    for (const std::size_t i : surfaces) {
+        if (const auto& known = watched_[i].of.of.time) {
+            candidates = {*known};
+            break;
+        }
+        const ball& found = watched_[i].found->time;
+        for (const unit measure : {unit::one, unit::pi}) {
+            const ball within = found / enclosed_number(number(1, measure));
+            const rational low = *number_of(lower_bound(within)).fraction();
+            const rational high = *number_of(upper_bound(within)).fraction();
+            candidates.emplace_back(simplest_between(low, high), measure);
+        }
+    }
+    const auto at = std::ranges::find_if(candidates, [&](const number& time) {
+        return std::ranges::all_of(surfaces, [&](std::size_t i) { return is_zero_at(watched_[i], time); });
+    });
+    return at == candidates.end() ? std::nullopt : std::optional(*at);
+}
+
+// Whether the zero that was found is at exactly this time.
+bool branch_search::is_zero_at(const watched& each, const number& time) const try {
+    if (const auto& known = each.of.of.time) {
+        return (*known - time).sign() == 0;
+    }
+    const expression& g = each.of.of.g;
+    if (g.has_unknowns() || !contains(each.found->time, enclosed_number(time))) {
+        return false;
+    }
+    const expression here = replaced(g, [&](const expression&) { return std::optional(expression(time)); });
+    return here.kind() == node_kind::constant && here.constant().sign() == 0;
+} catch (const error&) {  // not decided, or outside the domain of a function
+    return false;
 }
 
 }  // namespace libration::ode

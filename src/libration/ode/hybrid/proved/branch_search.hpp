@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "branch_beginning.hpp"
 #include "libration/ode/hybrid/hybrid_system.hpp"
 #include "libration/ode/hybrid/proved/hybrid_path.hpp"
 #include "libration/ode/proved/event_search.hpp"
@@ -20,15 +21,24 @@ struct watched_surface {
     std::optional<search_start> start = {};
 };
 
-/// A crossing: an event, or the known time of a surface.
+/// A surface that is crossed.
+struct crossed_surface {
+    surface of;
+    crossing way = crossing::up;
+};
+
+/// A crossing: an event, or a time that is known exactly, at which several surfaces may be crossed.
 struct found_crossing {
-    std::size_t surface = 0;
+    std::vector<std::size_t> surfaces;
+    std::vector<crossed_surface> crossed;
     std::optional<proved_event> event = {};
+    std::optional<number> exactly = {};
 };
 
 /// Surfaces at known times are compared as exact numbers; each other one has an event search of its own, all of which
 /// advance together, so that none goes far beyond the first crossing. A crossing is the first one if its enclosure is
-/// separated from the others.
+/// separated from the others. Functions of the variable alone that are exactly 0 at a common time are crossed together:
+/// each has only one zero in its enclosure.
 class branch_search {
 public:
     /// The system must outlive this object. Zeros are searched after `begins`.
@@ -41,7 +51,6 @@ public:
     /// Continues the search for a surface behind the crossing that was found.
     void resume(std::size_t surface);
 
-    const surface& surface_at(std::size_t index) const { return watched_[index].of.of; }
     path_end end() const { return end_; }
     /// What is not decided, or where the steps become too small.
     const std::string& reason() const { return reason_; }
@@ -65,7 +74,10 @@ private:
     bool advance(watched& each, const std::optional<number>& end, long steps, long horizon);
     void read_end(watched& each, bool has_end, long horizon);
     std::optional<found_crossing> first_of(const std::optional<std::size_t>& known);
-    bool separated(const found_crossing& first, const ball& time);
+    std::optional<found_crossing> crossing_at(std::size_t first, const ball& time);
+    std::optional<number> common_time(const std::vector<std::size_t>& surfaces) const;
+    bool is_zero_at(const watched& each, const number& time) const;
+    void reach(const ball& time);
     std::nullopt_t ended(path_end why, const std::string& reason);
 
     const explicit_system& system_;
@@ -78,10 +90,5 @@ private:
     std::string reason_;
     std::optional<ball> reached_;
 };
-
-/// An exact ball as a number.
-number number_of(const ball& exact);
-/// A number as a ball.
-inline ball enclosed_number(const number& x) { return constant_value<ball>::of(x); }
 
 }  // namespace libration::ode

@@ -4,8 +4,8 @@
 
 #include "../../differentiated_numbers.hpp"
 #include "../../proved/needed_bits.hpp"
-#include "libration/ode/hybrid/proved/first_steps.hpp"
 #include "libration/ode/hybrid/proved/hybrid_trajectory.hpp"
+#include "libration/ode/hybrid/proved/initial_mode.hpp"
 #include "libration/scalar/error.hpp"
 #include "varied_system.hpp"
 
@@ -35,7 +35,7 @@ bool is_same_side(const varied_system& of, const explicit_system& branch, std::s
 }
 
 void require_same_side(const varied_system& of, const std::vector<std::string>& numbers) {
-    const step_values steps = steps_after_start(of.system);
+    const step_values steps = values_at_start(of.system);
     const explicit_system branch = of.system.first_branch(steps);
     for (const surface& each : of.system.surfaces(steps)) {
         for (std::size_t i = 0; i < numbers.size(); ++i) {

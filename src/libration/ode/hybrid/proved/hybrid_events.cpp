@@ -22,7 +22,9 @@ public:
           list_(names_of_state(system), request.count, digits, most_undecided_) {}
 
     event_report result() {
-        return list_.of_runs([this] { return steps_of_run(); });
+        event_report report = list_.of_runs([this] { return steps_of_run(); });
+        report.by_relation = std::move(by_relation_);
+        return report;
     }
 
 private:
@@ -37,6 +39,7 @@ private:
         const precision_scope scope(decimal_digits(list_.bits()) + 10);
         while (list_.continues()) {
             const auto event = path.next_observed(request_.before, horizon());
+            by_relation_ = path.by_relation();
             if (!event) {
                 continue_beyond(path);
             } else if (!request_.before || is_before_end(*event)) {
@@ -80,6 +83,7 @@ private:
     const event_watch& watch_;
     long most_undecided_;
     event_list list_;
+    std::vector<std::string> by_relation_;
 };
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include "../../proved/condition_system.hpp"
 #include "../../proved/needed_bits.hpp"
 #include "branch_search.hpp"
-#include "libration/ode/hybrid/proved/first_steps.hpp"
+#include "libration/ode/hybrid/proved/initial_mode.hpp"
 #include "libration/scalar/error.hpp"
 #include "states_around.hpp"
 
@@ -30,14 +30,15 @@ hybrid_path::hybrid_path(const hybrid_system& system, long bits, const proof_rou
       observed_(observed),
       observed_way_(observed_way) {
     const precision_scope scope(decimal_digits(bits) + 10);
-    const step_values steps = steps_after_start(system);
-    piece_ = std::make_unique<path_piece>(system.first_branch(steps));
+    const initial_mode mode = mode_at_start(system);
+    note_relations(mode.by_relation);
+    piece_ = std::make_unique<path_piece>(system.first_branch(*mode.values));
     if (piece_->system.singular()) {
         throw error(error_kind::argument, "problem", "",
                     "has a singular initial point, where events and piecewise right-hand sides are not supported: "
                     "choose another initial point");
     }
-    piece_->steps = steps;
+    piece_->steps = *mode.values;
     first_time_ = enclosed_number(system.point());
     last_time_ = first_time_;
     search_branch(nullptr);
@@ -51,8 +52,17 @@ bool hybrid_path::ended(path_end why, std::string reason) {
     return false;
 }
 
+void hybrid_path::note_relations(const std::vector<std::size_t>& steps) {
+    for (const std::size_t i : steps) {
+        const std::string& text = system_.steps()[i].text;
+        if (std::ranges::find(by_relation_, text) == by_relation_.end()) {
+            by_relation_.push_back(text);
+        }
+    }
+}
+
 // The surfaces of the branch with the signs of their functions directly after its beginning.
-bool hybrid_path::search_branch(const entered_branch* entered) {
+bool hybrid_path::search_branch(const branch_beginning* beginning) {
     march_.reset();
     auto surfaces = system_.surfaces(piece_->steps);
     if (observed_ != nullptr) {
@@ -62,8 +72,8 @@ bool hybrid_path::search_branch(const entered_branch* entered) {
     for (surface& each : surfaces) {
         const crossing way = way_of(each);
         std::optional<search_start> start;
-        if (entered != nullptr) {
-            start = start_on(each, *entered);
+        if (beginning != nullptr) {
+            start = start_on(each, *beginning);
             if (!start) {
                 return false;
             }
@@ -127,34 +137,44 @@ bool hybrid_path::find(const std::optional<number>& end, long horizon) {
         if (!found) {
             return ended(search_->end(), search_->reason());
         }
-        const surface& of = search_->surface_at(found->surface);
-        path_event event = {.time = {}, .exactly = of.time, .way = crossing::up, .state = {}, .text = of.text};
-        if (found->event) {
-            event.time = found->event->time;
-            event.way = found->event->way;
-            event.state = found->event->state;
-            event.on_the_way = event.state;
-            const auto given = given_values(piece_->system, of.g);
-            for (std::size_t k = 0; k < given.size(); ++k) {
-                event.state[k] = given[k] ? enclosed_number(*given[k]) : event.state[k];
-            }
-        } else {
-            event.time = enclosed_number(*of.time);
-        }
-        const bool observed = is_observed(of, event.way);
-        if (observed) {
+        path_event event = event_of(*found);
+        const auto observed = std::ranges::find_if(
+            found->crossed, [&](const crossed_surface& each) { return is_observed(each.of, each.way); });
+        if (observed != found->crossed.end()) {
+            event.way = observed->way;
             observed_event_ = event;
         }
-        if (has_effect(of, event.way)) {
-            crossed_ = of;
+        if (std::ranges::any_of(found->crossed,
+                                [&](const crossed_surface& each) { return has_effect(each.of, each.way); })) {
+            crossed_ = found->crossed;
             next_ = std::move(event);
             return true;
         }
-        search_->resume(found->surface);
-        if (observed) {
+        for (const std::size_t each : found->surfaces) {
+            search_->resume(each);
+        }
+        if (observed != found->crossed.end()) {
             return true;
         }
     }
+}
+
+// With the state at the time, if that is not known exactly.
+path_event hybrid_path::event_of(const found_crossing& found) const {
+    const crossed_surface& first = found.crossed.front();
+    path_event event = {.time = {}, .exactly = found.exactly, .way = first.way, .state = {}, .text = first.of.text};
+    if (!found.event) {
+        event.time = enclosed_number(*found.exactly);
+        return event;
+    }
+    event.time = found.event->time;
+    event.state = found.event->state;
+    event.on_the_way = event.state;
+    const auto given = given_values(piece_->system, first.of.g);
+    for (std::size_t k = 0; k < given.size(); ++k) {
+        event.state[k] = given[k] ? enclosed_number(*given[k]) : event.state[k];
+    }
+    return event;
 }
 
 // The state before an event at a known time; false if it is not reached.

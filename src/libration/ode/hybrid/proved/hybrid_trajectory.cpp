@@ -28,7 +28,12 @@ std::vector<std::size_t> in_order(const hybrid_system& system, const std::vector
     }
     std::vector<std::size_t> order(times.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return gone[a] < gone[b]; });
+    // Times that are not distinguished by the digits of `gone` are compared exactly.
+    const mpfr doubt = ldexp(mpfr(1), -100);
+    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
+        const mpfr difference = gone[a] - gone[b];
+        return abs(difference) > doubt * (gone[a] + gone[b]) ? difference < 0 : (times[a] - times[b]).sign() < 0;
+    });
     return order;
 }
 
@@ -74,6 +79,7 @@ private:
         std::optional<std::size_t> at_zero;
         for (const std::size_t index : order_) {
             const auto state = path.at(times_[index], times_[order_.back()]);
+            part_.by_relation = path.by_relation();
             if (!state) {
                 raise_path_bits(bits_, path, most_undecided_, "time", text_of_time(times_[index]));
                 return false;

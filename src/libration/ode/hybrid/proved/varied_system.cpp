@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "../../differentiated_numbers.hpp"
-#include "libration/ode/hybrid/proved/first_steps.hpp"
+#include "libration/ode/hybrid/proved/initial_mode.hpp"
 #include "libration/ode/opened_system.hpp"
 #include "libration/scalar/error.hpp"
 
@@ -93,10 +93,7 @@ public:
 private:
     // Numbers for the parameters, except those of the step functions, and the requested ones, which become unknowns.
     equation_system with_parameters_open(const equation_system& given) const {
-        std::map<std::string, expression> open;
-        for (const step_function& each : given.steps) {
-            open.emplace(each.parameter, parameter(each.parameter));
-        }
+        std::map<std::string, expression> open = kept_steps(given.steps);
         for (const std::string& each : requested_.parameters) {
             open.emplace(given_parameter(given, each).name, unknown(each));
         }
@@ -114,7 +111,7 @@ private:
 
     // The equations solved for the highest derivatives, with the step functions as constant unknowns.
     void solve() {
-        const auto steps = steps_after_start(plain_);
+        const step_values steps = values_at_start(plain_);
         const auto point = expression(plain_.point());
         equation_system smooth;
         smooth.variable = varied_.variable;
@@ -133,13 +130,14 @@ private:
             smooth.add(derivative(unknown(each)));
         }
         for (std::size_t i = 0; i < steps.size(); ++i) {
-            const expression step = unknown(varied_.steps[i].parameter);
-            smooth.add(derivative(step)).begin(step, expression(steps[i]), point);
+            for (const definition& each : parameters_of(varied_.steps[i], steps[i])) {
+                const expression step = unknown(each.name);
+                smooth.add(derivative(step)).begin(step, each.value, point);
+            }
         }
         const explicit_system solved(smooth);
-        const auto is_step = [&](const std::string& name) {
-            return std::ranges::find(varied_.steps, name, &step_function::parameter) != varied_.steps.end();
-        };
+        const auto kept = kept_steps(varied_.steps);
+        const auto is_step = [&](const std::string& name) { return kept.contains(name); };
         for (std::size_t k = 0; k < solved.unknowns().size(); ++k) {
             const auto& [name, order] = solved.unknowns()[k];
             if (!is_step(name)) {

@@ -59,9 +59,13 @@ event_search::event_search(const explicit_system& system, const expression& g, c
       digits_(decimal_digits(bits) + 10),
       direction_(1),
       watch_(std::move(watch)),
-      start_{start.at_zero ? 1 : 0, start.sign, start.at_zero ? slope_ : g_},
+      start_{start.order, start.sign, g_},
       after_(start.begins ? std::optional(upper_bound(*start.begins)) : std::nullopt),
-      sign_(start.sign) {}
+      sign_(start.sign) {
+    for (int k = 0; k < start.order; ++k) {
+        start_.leading = form_.slope_of(start_.leading);
+    }
+}
 
 event_search::event_search(const explicit_system& system, const expression& g, const set_start& start, long bits,
                            int direction, const proof_route& route, march_watch watch)

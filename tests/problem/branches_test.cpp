@@ -1,0 +1,158 @@
+// Which branch of a piecewise right-hand side follows: values by hand, and solutions that are not unique.
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+#include "libration/problem/solution.hpp"
+#include "libration/scalar/error.hpp"
+#include "libration/scalar/mpfr.hpp"
+
+namespace problem_branches_test {
+
+using namespace libration;
+
+namespace {
+
+struct known_case {
+    std::string text;
+    std::string time;
+    std::string name;
+    mpfr value;
+};
+
+// Whether a proved decimal of 20 digits is within one unit of its last digit of the value.
+void check_values(const std::vector<known_case>& all) {
+    for (const known_case& each : all) {
+        INFO(each.text << " at " << each.time);
+        const answer found = solve(problem(each.text))->states(each.time, proved_digits(20));
+        CHECK(abs(mpfr(mpfr(found.at(0, each.name)) - each.value)) <= abs(each.value) * pow(mpfr(10), -19));
+    }
+}
+
+// Why there is no value; empty if there is one.
+std::string refusal(const std::string& text, const std::string& time) {
+    try {
+        const answer found = solve(problem(text))->states(time, proved_digits(10));
+        return found.missing ? found.missing->what() : "";
+    } catch (const error& problem) {
+        return problem.what();
+    }
+}
+
+}  // namespace
+
+TEST_CASE("step functions inside others have the values of their arguments", "[problem][hybrid]") {
+    const precision_scope scope(60);
+    const mpfr pi = libration::pi<mpfr>();
+    check_values({
+        {"y' = if(t - floor(t) > 1/2, 1, 0); y(0) = 0", "2", "y", 1},
+        {"y' = if(t - floor(t) - 1 > 0, 1, 0); y(0) = 0", "2", "y", 0},
+        {"y' = floor(t + 5*heaviside(t - 1/2)); y(0) = 0", "1", "y", mpfr(5) / 2},
+        {"x' = 1; x(0) = -3/10; y' = if(t - 2*heaviside(x) > -1/2, 1, 0); y(0) = 0", "1", "y", mpfr(3) / 10},
+        {"y' = abs(abs(t - 1)); y(0) = 0", "2", "y", 1},
+        {"y' = max(0, 1 - abs(1 - abs(t - 2))); y(0) = 0", "4", "y", 2},
+        {"y' = abs(max(t - 1, 1 - t)); y(0) = 0", "3", "y", mpfr(5) / 2},
+        {"y' = max(t, 2*sign(x)); x' = -1; x(0) = 3/2; y(0) = 0", "4", "y", mpfr(79) / 8},
+        {"y' = floor(t + sign(x)); x' = -1; x(0) = 3/2; y(0) = 0", "3", "y", 3},
+        {"x' = -1; y' = abs(abs(x)); x(0) = 1; y(0) = 0", "3", "y", mpfr(5) / 2},
+        {"y' = min(sawtooth(t), 0); y(0) = 0", "6*pi", "y", mpfr(-3 * pi / 2)},
+        {"y' = if(sawtooth(t) > 0, 1, 0); y(0) = 0", "13", "y", mpfr(2 * pi)},
+        {"y' = if(t - 2*floor(t/2) > 1, square(t), 0); y(0) = 0", "9", "y", mpfr(2 * pi - 6)},
+        // A bounce whose force changes with the sign of x, which is positive after it.
+        {"x'' = -1 - sign(x)/2; x(0) = 1; x'(0) = 0; when x = 0 down: x' = -x'", "2", "x'",
+         mpfr(2 * sqrt(mpfr(3)) - 3)},
+        // floor of the state: the squares 1, 2, 3 at 1, sqrt 2, sqrt 3.
+        {"x' = 1; y' = floor(x^2); x(0) = 0; y(0) = 0", "2", "y", mpfr(5 - sqrt(mpfr(2)) - sqrt(mpfr(3)))},
+    });
+}
+
+TEST_CASE("a condition that is an equality for some time holds as it is written", "[problem][hybrid]") {
+    const precision_scope scope(60);
+    check_values({
+        {"y' = if(a >= 1, 2, 3); y(0) = 0; a = 1", "1", "y", 2},
+        {"y' = if(a > 1, 2, 3); y(0) = 0; a = 1", "1", "y", 3},
+        {"y' = if(a >= 0.1 + 0.2, 1, 3); y(0) = 0; a = 0.3", "1", "y", 1},
+        {"y' = if(sqrt(2)^2 > 2, 1, 3); y(0) = 0", "1", "y", 3},
+        {"y' = if(floor(t) >= 1, 1, 3); y(0) = 0", "3", "y", 5},
+        {"y' = if(min(t, 1) < 1, 1, 3); y(0) = 0", "3", "y", 7},
+        {"y' = if(sign(x) >= 1, 1, 3); x' = 1; x(0) = -1; y(0) = 0", "2", "y", 4},
+        {"y' = if(max(x, y) - x > 0, 1, 3); x' = -1; y(0) = 0; x(0) = 1", "1/8", "y", mpfr(3) / 8},
+        {"y' = if(if(t > 1, 1, 0) >= 1, 3, 5); y(0) = 0", "3", "y", 11},
+        {"y' = 1 + sign(a - 2); y(0) = 0; a = 2", "1", "y", 1},
+        {"y' = heaviside(a - 2); y(0) = 0; a = 2", "1", "y", mpfr(1) / 2},
+    });
+}
+
+TEST_CASE("a solution that remains on a surface has the value of the relation there", "[problem][hybrid]") {
+    const precision_scope scope(60);
+    check_values({
+        {"x' = abs(x - 2); x(0) = 2", "1", "x", 2},
+        {"x' = if(x >= 2, x - 2, 2 - x); x(0) = 2", "1", "x", 2},
+        {"x' = abs(x) + t; x(0) = 0", "1", "x", mpfr(exp(mpfr(1)) - 2)},
+        {"x' = 1; z' = 1; y' = if(x > z, 1, 3); x(0) = 0; z(0) = 0; y(0) = 0", "1", "y", 3},
+        {"x' = v; v' = -x; y' = if(x^2 + v^2 <= 1, 1, 0); x(0) = 1; v(0) = 0; y(0) = 0", "2", "y", 2},
+    });
+    // Stated where the right-hand side is not continuous across the surface, and only there.
+    const auto notes = [](const std::string& text) {
+        return solve(problem(text))->states("1", proved_digits(10)).notes;
+    };
+    const auto jumping = notes("x' = 1; z' = 1; y' = if(x > z, 1, 3); x(0) = 0; z(0) = 0; y(0) = 0");
+    REQUIRE(jumping.size() == 1);
+    CHECK_THAT(jumping.front().text, Catch::Contains("`if(x > z, 1, 3)`"));
+    CHECK(notes("x' = abs(x - 2); x(0) = 2").empty());
+}
+
+TEST_CASE("solutions that are not unique have no value", "[problem][hybrid]") {
+    for (const std::string text :
+         {"x' = if(y > 0, 1, -sign(x)); y' = sign(y); x(0) = 0; y(0) = 0",
+          "x' = if(x > 0, y, z); y' = if(x > 0, 1, -5); z' = if(x > 0, -5, 1); x(0) = 0; y(0) = 0; z(0) = 0",
+          "x' = sign(max(x, 0))^2 - 1/2; x(0) = 0", "x' = sign(x)^2; x(0) = 0", "x' = if(x > 2, 1, 0); x(0) = 2",
+          "x' = sign(x); x(0) = 0; z' = 1; z(0) = 0; y' = if(z - 1 + sign(x) > 0, 1, 2); y(0) = 0",
+          "x' = if(p > 0, sign(x), -1); p' = 0; x(0) = 1; p(0) = -1; when x = 0: p = 1"}) {
+        INFO(text);
+        CHECK_FALSE(refusal(text, "2").empty());
+    }
+    // One choice remains although another argument depends on the sign.
+    CHECK(refusal("x' = 1; x(0) = 0; z' = 1; z(0) = 0; y' = if(z - 1 + sign(x) > 0, 1, 2); y(0) = 0", "1").empty());
+    CHECK_THAT(refusal("x' = -sign(x); x(0) = 1", "2"), Catch::Contains("slides"));
+    CHECK_THAT(
+        refusal("x'' = -1; x(0) = 1; x'(0) = 0; y' = sign(x)*z; z' = 1; y(0) = 0; z(0) = 0; when x = 0: x' = 0", "2"),
+        !Catch::Contains("slides"));
+}
+
+TEST_CASE("a function that vanishes on a branch keeps its domain", "[problem][hybrid]") {
+    CHECK_THAT(refusal("x' = abs(x)*log(1 - t); x(0) = 0", "2"), Catch::Contains("is not reached"));
+}
+
+TEST_CASE("functions of time that are 0 at a common exact time are crossed together", "[problem][hybrid]") {
+    const precision_scope scope(60);
+    check_values({
+        {"y' = if(sin(2*pi*t) > 0, t - floor(t), 0); y(0) = 0", "3", "y", mpfr(3) / 8},
+        {"y' = if(sin(2*pi*t) > 0, 1, 0)*if(cos(pi*t) > 0, 1, 0); y(0) = 0", "5/2", "y", 1},
+        {"y' = if(sin(t) > 0, 1, 0)*if(sin(2*t) > 0, 1, 0); y(0) = 0", "2*pi", "y", mpfr(libration::pi<mpfr>() / 2)},
+    });
+}
+
+TEST_CASE("times next to that of an event are compared exactly", "[problem][hybrid]") {
+    const answer found =
+        solve(problem("x' = 1; x(0) = 0; when t = 1 + 5e-61: x = x + 1"))->states("1 + 1e-60, 1", proved_digits(10));
+    CHECK(found.at(0, "x") == "2.000000000");
+    CHECK(found.at(1, "x") == "1.000000000");
+}
+
+TEST_CASE("a limit of one search ends the path before later events of others", "[problem][hybrid]") {
+    const std::string text =
+        "a' = 2*(t - 5); a(0) = 25; z' = 3*(t - 2)^2; z(0) = -8; y' = 0; y(0) = 0; w' = 0; w(0) = 0; "
+        "when a = 0: w = 1; when z = 0: y = y + 1";
+    const answer found = solve(problem(text))->states("3, 6", proved_digits(10));
+    REQUIRE(found.missing);
+    CHECK_THROWS_WITH(found.at(0, "y"), Catch::Contains("time '3' is not reached"));
+}
+
+TEST_CASE("a branch that is not regular at its beginning keeps the values before it", "[problem][hybrid]") {
+    const answer found = solve(problem("y' = if(t > 1, 1/y, -1); y(0) = 1"))->states("1/2, 2", proved_digits(10));
+    CHECK(found.at(0, "y") == "0.5000000000");
+    CHECK_THROWS_WITH(found.at(1, "y"), Catch::Contains("after one event, at time 1.00000000000"));
+}
+
+}  // namespace problem_branches_test
