@@ -35,6 +35,8 @@ struct scaled_right_side {
     std::vector<std::vector<number>> weights;
 };
 
+struct divisor;
+
 /// The form of a system at an initial point at which its right-hand sides are singular.
 struct singular_start {
     int root = 1;
@@ -49,6 +51,9 @@ struct singular_start {
 /// highest derivatives, as 0 = x^2 + y^2 - 1, are algebraic: their derivatives take their place, as often as necessary
 /// (theorem D). An unknown without a derivative in the equations has order 1; its initial value may be left out where
 /// the algebraic equations are linear in it.
+///
+/// The right-hand sides have no value where the given equations have none, or where a divisor of the elimination is 0:
+/// what it removed from them remains as zero_where_defined() (domain/defined_zero.hpp).
 class explicit_system {
 public:
     /// Throws error of the subject "problem" with the position and the remedy unless there are as many equations as
@@ -82,6 +87,7 @@ public:
 private:
     explicit_system() = default;
     void read_unknowns(const equation_system& given);
+    void keep_domain(const std::vector<equation>& equations, const std::vector<divisor>& divisors);
     void read_equations(const std::vector<equation>& equations);
     void read_starts(const equation_system& given, parameter_values& parameters);
 

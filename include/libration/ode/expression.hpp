@@ -66,6 +66,8 @@ public:
     bool is(int n) const;
     /// Its value if it is a fraction; std::nullopt otherwise.
     std::optional<rational> fraction() const;
+    /// Whether it is a product made by unfolded_zero().
+    bool is_unfolded_zero() const { return kind() == node_kind::product && left().is(0); }
 
     /// Equal for equal forms; collisions of other forms are rare.
     std::size_t hash() const;
@@ -77,6 +79,8 @@ public:
     friend expression operator-(const expression& a, const expression& b) { return a + -b; }
     friend expression operator*(const expression& a, const expression& b);
     friend expression operator/(const expression& a, const expression& b);
+    /// 0*e as a product, which no operation folds: 0 where e has a value (domain/defined_zero.hpp).
+    friend expression unfolded_zero(const expression& e);
     /// base^exponent. Throws error if the exponent is not constant.
     friend expression pow(const expression& base, const expression& exponent);
     friend expression apply(function_kind f, const expression& x);

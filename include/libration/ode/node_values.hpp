@@ -104,4 +104,7 @@ private:
     std::unordered_map<expression, Value, typename Same::hash, typename Same::equal> done_;
 };
 
+/// The node with the values of its operands in their place, and with nodes of the order of a function replaced.
+expression with_operands(const expression& e, const node_values<expression>& done, const replacement& by);
+
 }  // namespace libration::ode

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "libration/ode/domain/defined_zero.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/text/utf8.hpp"
 
@@ -223,10 +224,20 @@ number parameter_values::number_of(const expression& e) {
     return value.constant();
 }
 
+// Parameters that can be typed keep the domain of what they multiply. Step functions and other parameters of the
+// program (their names contain blanks) choose between branches: of those that are not chosen nothing is left.
 expression parameter_values::substituted(const expression& e) const {
-    return replaced(e, [&](const expression& leaf) {
-        return leaf.kind() == node_kind::parameter ? std::optional(values_.at(leaf.name())) : std::nullopt;
-    });
+    if (!e.has_parameters()) {
+        return e;
+    }
+    const auto by = [&](bool typed) -> replacement {
+        return [&, typed](const expression& leaf) {
+            const bool here = leaf.kind() == node_kind::parameter && (leaf.name().find(' ') == std::string::npos) == typed;
+            return here ? std::optional(values_.at(leaf.name())) : std::nullopt;
+        };
+    };
+    const expression typed = replaced_as_written(e, by(true));
+    return typed.has_parameters() ? replaced(typed, by(false)) : typed;
 }
 
 // Depth first without recursion: each definition in `open_` needs the one after it.

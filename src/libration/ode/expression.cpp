@@ -199,6 +199,9 @@ expression operator+(const expression& a, const expression& b) {
     if (is_number(b) && a.kind() == node_kind::sum && is_number(a.right())) {
         return a.left() + expression(a.right().constant() + b.constant());
     }
+    if (a.is_unfolded_zero() && same_form(a, b)) {
+        return a;
+    }
     return same_form(a, -b) ? expression() : expression::binary(node_kind::sum, a, b);
 }
 
@@ -212,7 +215,7 @@ expression operator*(const expression& a, const expression& b) {
     if (a.is(0) || b.is(0)) {
         return {};
     }
-    if (a.is(1)) {
+    if (a.is(1) || (is_number(a) && b.is_unfolded_zero())) {
         return b;
     }
     if (is_number(a) && b.kind() == node_kind::product && is_number(b.left())) {
@@ -229,7 +232,12 @@ expression operator/(const expression& a, const expression& b) {
     if (a.is(0)) {
         return {};
     }
-    return same_form(a, b) ? expression(1) : expression::binary(node_kind::quotient, a, b);
+    return same_form(a, b) && !a.is_unfolded_zero() ? expression(1)
+                                                    : expression::binary(node_kind::quotient, a, b);
+}
+
+expression unfolded_zero(const expression& e) {
+    return is_number(e) ? expression() : expression::binary(node_kind::product, expression(), e);
 }
 
 expression pow(const expression& base, const expression& exponent) {

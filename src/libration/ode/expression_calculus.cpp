@@ -33,7 +33,8 @@ expression derived(const expression& e, const expression& by_left, const express
     const expression& a = e.left();
     switch (e.kind()) {
         case node_kind::sum: return by_left + *by_right;
-        case node_kind::product: return by_left * e.right() + a * *by_right;
+        case node_kind::product:
+            return e.is_unfolded_zero() && !by_right->is(0) ? e : by_left * e.right() + a * *by_right;
         case node_kind::quotient: return (by_left - e * *by_right) / e.right();
         case node_kind::power: {
             const expression by_base = e.right() * pow(a, e.right() - 1) * by_left;
@@ -71,26 +72,29 @@ void each_leaf(const expression& e, const std::function<void(const expression& l
     }
 }
 
+expression with_operands(const expression& e, const node_values<expression>& done, const replacement& by) {
+    switch (e.kind()) {
+        case node_kind::sum: return done.at(e.left()) + done.at(e.right());
+        case node_kind::product:
+            return e.is_unfolded_zero() ? unfolded_zero(done.at(e.right())) : done.at(e.left()) * done.at(e.right());
+        case node_kind::quotient: return done.at(e.left()) / done.at(e.right());
+        case node_kind::power: return pow(done.at(e.left()), done.at(e.right()));
+        case node_kind::function:
+            return e.has_order() ? apply(e.function(), by ? with_nodes_replaced(e.right(), by) : e.right(), done.at(e.left()))
+                                 : apply(e.function(), done.at(e.left()));
+        case node_kind::constant:
+        case node_kind::variable:
+        case node_kind::unknown:
+        case node_kind::parameter: break;
+    }
+    return e;
+}
+
 expression with_nodes_replaced(const expression& in, const replacement& by) {
     node_values<expression> done;
     return done.of(in, [&](const expression& e) -> expression {
-        if (const auto other = by(e)) {
-            return *other;
-        }
-        switch (e.kind()) {
-            case node_kind::sum: return done.at(e.left()) + done.at(e.right());
-            case node_kind::product: return done.at(e.left()) * done.at(e.right());
-            case node_kind::quotient: return done.at(e.left()) / done.at(e.right());
-            case node_kind::power: return pow(done.at(e.left()), done.at(e.right()));
-            case node_kind::function:
-                return e.has_order() ? apply(e.function(), with_nodes_replaced(e.right(), by), done.at(e.left()))
-                                     : apply(e.function(), done.at(e.left()));
-            case node_kind::constant:
-            case node_kind::variable:
-            case node_kind::unknown:
-            case node_kind::parameter: break;
-        }
-        return e;
+        const auto other = by(e);
+        return other ? *other : with_operands(e, done, by);
     });
 }
 

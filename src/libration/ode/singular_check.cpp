@@ -7,39 +7,73 @@
 
 namespace libration::ode {
 
-namespace {
+// Exact numbers as coefficients of a series.
+struct exact_coefficient {
+    number value;
 
-bool vanishes(const rational& x, const rational& /*scale*/) { return x == 0; }
+    exact_coefficient(int n = 0) : value(rational(n)) {}
+    explicit exact_coefficient(const number& of) : value(of) {}
 
-bool vanishes(const mpfr& x, const mpfr& scale) { return abs(x) <= scale * ldexp(mpfr(1), -100); }
+    exact_coefficient operator-() const { return exact_coefficient(-value); }
+    exact_coefficient& operator+=(const exact_coefficient& b) { return *this = exact_coefficient(value + b.value); }
+    exact_coefficient& operator-=(const exact_coefficient& b) { return *this = exact_coefficient(value - b.value); }
+    exact_coefficient& operator*=(const exact_coefficient& b) { return *this = exact_coefficient(value * b.value); }
+    exact_coefficient& operator/=(const exact_coefficient& b) { return *this = exact_coefficient(value / b.value); }
+    friend exact_coefficient operator+(exact_coefficient a, const exact_coefficient& b) { return a += b; }
+    friend exact_coefficient operator-(exact_coefficient a, const exact_coefficient& b) { return a -= b; }
+    friend exact_coefficient operator*(exact_coefficient a, const exact_coefficient& b) { return a *= b; }
+    friend exact_coefficient operator/(exact_coefficient a, const exact_coefficient& b) { return a /= b; }
+    friend bool operator==(const exact_coefficient& a, const exact_coefficient& b) {
+        return (a.value - b.value).sign() == 0;
+    }
+    friend exact_coefficient pow(const exact_coefficient& base, const exact_coefficient& exponent) {
+        return exact_coefficient(power(base.value, exponent.value));
+    }
+};
 
-// Whether every number of the problem is a fraction.
-bool has_fractions_alone(const tape& made) {
-    const auto is_fraction = [](const number& x) { return x.fraction().has_value(); };
-    const auto are_fractions = [&](const std::vector<number>& all) { return std::ranges::all_of(all, is_fraction); };
-    return is_fraction(made.point()) && are_fractions(made.constants()) &&
-           std::ranges::all_of(made.starts(), are_fractions) &&
-           std::ranges::all_of(made.steps(), [&](const tape_step& step) {
-               return !is_function(step.kind) || (step.centre && is_fraction(*step.centre));
-           });
+template <>
+struct constant_value<exact_coefficient> {
+    static exact_coefficient of(const number& x) { return exact_coefficient(x); }
+};
+
+template <>
+exact_coefficient function_value<exact_coefficient>(function_kind f, const exact_coefficient& x, const rational* order) {
+    return exact_coefficient(has_order(f) ? apply(f, *order, x.value) : apply(f, x.value));
 }
 
-template <field R>
-void require_consistent(const tape& made, const explicit_system& of) {
+namespace {
+
+// Decided exactly: a number that is near 0 is not 0.
+bool vanishes(const std::string& name, const exact_coefficient& x) {
+    try {
+        return x.value.sign() == 0;
+    } catch (const error& problem) {
+        if (problem.kind() != error_kind::undecided) {
+            throw;
+        }
+        refuse(name, {},
+               "is not proved to have a power series with these initial values, since a difference of the sides of "
+               "the equation may be 0 or not: choose numbers that decide it, or another initial point");
+    }
+}
+
+}  // namespace
+
+void require_consistent_start(const tape& made, const explicit_system& of) {
     const int root = made.root();
     const int highest = *std::ranges::max_element(made.orders());
-    taylor_expansion<R> series(made, root * highest);
+    taylor_expansion<exact_coefficient> series(made, root * (highest - 1));
     series.about_start();
     for (std::size_t i = 0; i < of.unknowns().size(); ++i) {
         const unknown_function& unknown = of.unknowns()[i];
-        const R* const y = series.coefficients(static_cast<int>(i));
-        const R* const right = series.right_side(static_cast<int>(i));
+        const exact_coefficient* const y = series.coefficients(static_cast<int>(i));
+        const exact_coefficient* const right = series.right_side(static_cast<int>(i));
         for (int n = 0; n <= root * (unknown.order - 1); ++n) {
-            R left = y[n];
+            exact_coefficient left = y[n];
             for (int l = 0; l < unknown.order; ++l) {
-                left = R(left * (n - l * root) / root);
+                left = left * (n - l * root) / root;
             }
-            if (!vanishes(R(left - right[n]), R(abs(left) + abs(right[n]) + R(1)))) {
+            if (!vanishes(unknown.name, left - right[n])) {
                 refuse(unknown.name, {},
                        "has no power series with these initial values, since the equation contradicts " +
                            primed(unknown.name, n / root) +
@@ -48,7 +82,7 @@ void require_consistent(const tape& made, const explicit_system& of) {
         }
         for (const tape_state& state : made.states()) {
             for (int n = 1; state.unknown == static_cast<int>(i) && n < root * state.derivative; ++n) {
-                if (n % root != 0 && !vanishes(y[n], R(1))) {
+                if (n % root != 0 && !vanishes(unknown.name, y[n])) {
                     refuse(
                         primed(unknown.name, state.derivative), {},
                         "is infinite at the initial point and occurs in the equations: choose another initial point");
@@ -56,17 +90,6 @@ void require_consistent(const tape& made, const explicit_system& of) {
             }
         }
     }
-}
-
-}  // namespace
-
-void require_consistent_start(const tape& made, const explicit_system& of) {
-    if (has_fractions_alone(made)) {
-        require_consistent<rational>(made, of);
-        return;
-    }
-    const precision_scope scope(60);
-    require_consistent<mpfr>(made, of);
 }
 
 }  // namespace libration::ode

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "libration/ode/domain/defined_zero.hpp"
 #include "libration/ode/node_values.hpp"
 #include "libration/scalar/error.hpp"
 
@@ -63,6 +64,10 @@ private:
             case node_kind::product: {
                 const auto& a = done_.at(e.left());
                 const auto& b = done_.at(e.right());
+                if (e.is_unfolded_zero()) {
+                    const expression zero = zero_where_defined(b.rest);
+                    return {zero.is(0) ? rational(0) : b.exponent, zero};
+                }
                 return {a.exponent + b.exponent, a.rest * b.rest};
             }
             case node_kind::quotient: {

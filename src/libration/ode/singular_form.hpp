@@ -21,8 +21,8 @@ std::optional<singular_start> singular_form(const std::vector<unknown_function>&
 bool has_isolated_zero(const expression& e, const number& point, start_values& values);
 
 /// Throws error if the given coefficients do not satisfy the equations, or if unknowns have fractional powers below a
-/// derivative that the equations use. Decided over fractions if all numbers of the problem are fractions, otherwise
-/// with 60 digits, of which 30 must agree.
+/// derivative that the equations use. Decided by the exact signs of numbers, not by tolerances; also throws error if such
+/// a sign is not decided.
 void require_consistent_start(const tape& made, const explicit_system& of);
 
 }  // namespace libration::ode

@@ -4,15 +4,23 @@
 #include <algorithm>
 #include <optional>
 
+#include "libration/ode/domain/defined_zero.hpp"
 #include "libration/ode/explicit_system.hpp"
 
 namespace libration::ode {
 
+/// How far a solution is known to be constant.
+enum class constancy {
+    none,        ///< not at all
+    as_defined,  ///< as long as it is proved to exist: some function, power or divisor ends it where it has no value
+    everywhere   ///< for all times
+};
+
 /// Whether the solution is constant: the derivatives given as initial values are 0, and the right-hand sides vanish
-/// identically at these values. False if that does not follow by exact arithmetic, and for a singular initial point.
-inline bool is_constant(const explicit_system& system) {
+/// identically at these values. `none` if that does not follow by exact arithmetic, and for a singular initial point.
+inline constancy constancy_of(const explicit_system& system) {
     if (system.singular()) {
-        return false;
+        return constancy::none;
     }
     const auto places = places_of(system.unknowns());
     const auto start = [&](const expression& leaf) -> std::optional<expression> {
@@ -22,13 +30,18 @@ inline bool is_constant(const explicit_system& system) {
                    : std::nullopt;
     };
     const auto is_zero = [](const number& x) { return x.fraction() == rational(0); };
+    constancy result = constancy::everywhere;
     for (std::size_t i = 0; i < system.unknowns().size(); ++i) {
         const auto& values = system.starts()[i];
-        if (!std::all_of(values.begin() + 1, values.end(), is_zero) || !replaced(system.right()[i], start).is(0)) {
-            return false;
+        const auto zero = std::all_of(values.begin() + 1, values.end(), is_zero)
+                              ? zero_with_domain(system.right()[i], start)
+                              : std::nullopt;
+        if (!zero) {
+            return constancy::none;
         }
+        result = zero->empty() ? result : constancy::as_defined;
     }
-    return true;
+    return result;
 }
 
 }  // namespace libration::ode

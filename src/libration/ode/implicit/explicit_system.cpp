@@ -9,6 +9,7 @@
 #include "../start_values.hpp"
 #include "consistent_starts.hpp"
 #include "index_reduction.hpp"
+#include "libration/ode/domain/defined_zero.hpp"
 #include "libration/scalar/error.hpp"
 
 namespace libration::ode {
@@ -110,8 +111,12 @@ void explicit_system::read_equations(const std::vector<equation>& equations) {
     for (const unknown_function& each : unknowns_) {
         highest.push_back(unknown(each.name, each.order));
     }
+    std::vector<equation> folded;
+    for (const equation& each : equations) {
+        folded.push_back({without_zeros(each.left), without_zeros(each.right), each.at});
+    }
     const auto reduced_by = [&](start_values values) {
-        return reduced(equations, highest,
+        return reduced(folded, highest,
                        [&](const expression& c) { return !values.refusal_of(c) && values.value_of(c).sign() != 0; });
     };
     reduced_system found = reduced_by(start_values(leaves_at_start(*this)));
@@ -119,6 +124,7 @@ void explicit_system::read_equations(const std::vector<equation>& equations) {
         found = reduced_by(start_values(leaves_at_start(*this)));
     }
     right_ = std::move(found.right);
+    keep_domain(equations, found.divisors);
     start_values values(leaves_at_start(*this));
     require_consistent(found.algebraic, values);
     std::ranges::transform(found.algebraic, std::back_inserter(algebraic_), &algebraic_equation::zero);
@@ -141,6 +147,38 @@ void explicit_system::read_equations(const std::vector<equation>& equations) {
         refuse("", {},
                "has a coefficient of a highest derivative that is not proved nonzero at the initial point: choose "
                "another initial point, or equations that determine the highest derivatives");
+    }
+}
+
+// The right-hand sides are undefined where the equations are, or where a divisor is 0: parts that the solution for the
+// highest derivatives has removed are added to that of an unknown of the same equation, as unfolded zeros.
+void explicit_system::keep_domain(const std::vector<equation>& equations, const std::vector<divisor>& divisors) {
+    const auto places = places_of(unknowns_);
+    const std::vector<expression> solved = right_;
+    const auto keep = [&](const std::vector<expression>& parts, std::size_t place) {
+        for (const expression& each : parts) {
+            right_[place] = right_[place] + zero_where_defined(each);
+        }
+    };
+    for (std::size_t i = 0; i < equations.size(); ++i) {
+        const equation& each = equations[i];
+        const auto lost = parts_lost({each.left, each.right}, {}, solved);
+        std::optional<std::size_t> place;
+        const auto look = [&](const expression& leaf) {
+            if (leaf.kind() == node_kind::unknown) {
+                const std::size_t here = places.at(leaf.name());
+                const bool highest = leaf.derivative() == unknowns_[here].order;
+                place = highest ? std::min(here, place.value_or(here)) : place;
+            }
+        };
+        if (!lost.empty()) {
+            each_leaf(each.left, look);
+            each_leaf(each.right, look);
+            keep(lost, place.value_or(i));
+        }
+    }
+    for (const auto& [target, by] : divisors) {
+        keep(parts_lost({1 / by}, {}, solved), target);
     }
 }
 

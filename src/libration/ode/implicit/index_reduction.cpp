@@ -44,6 +44,7 @@ reduced_system reduced(std::vector<equation> equations, const std::vector<expres
     const std::size_t most = size_of_state(highest);
     while (true) {
         linear_result found = linear_solution(equations, highest, may_divide);
+        std::ranges::move(found.divisors, std::back_inserter(result.divisors));
         std::ranges::move(found.doubtful, std::back_inserter(result.doubtful));
         if (found.constraints.empty()) {
             result.right = std::move(found.values);

@@ -19,6 +19,7 @@ struct algebraic_equation {
 /// target[i] = right[i], to which the equations are equivalent where the algebraic equations hold at the initial point.
 struct reduced_system {
     std::vector<expression> right;
+    std::vector<divisor> divisors;              ///< all that are not numbers
     std::vector<expression> doubtful;           ///< the divisors that are not proved nonzero at the initial point
     std::vector<algebraic_equation> algebraic;  ///< those given, and the derivatives of these that are algebraic again
 };

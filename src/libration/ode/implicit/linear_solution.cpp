@@ -145,6 +145,7 @@ public:
     linear_result solve() {
         linear_result result;
         const bool determined = eliminate();
+        result.divisors = std::move(divisors_);
         result.doubtful = std::move(doubtful_);
         if (determined) {
             for (std::size_t i = 0; i < targets_.size(); ++i) {
@@ -215,8 +216,11 @@ private:
 
     void normalize(std::size_t row, std::size_t column) {
         const expression by = rows_[row].coefficients.at(column);
-        if (by.kind() != node_kind::constant && !may_divide_(by)) {
-            doubtful_.push_back(by);
+        if (by.kind() != node_kind::constant) {
+            divisors_.push_back({column, by});
+            if (!may_divide_(by)) {
+                doubtful_.push_back(by);
+            }
         }
         rows_[row] = rows_[row].mapped([&](const expression& c) { return c / by; });
     }
@@ -248,6 +252,7 @@ private:
     const nonzero_test& may_divide_;
     std::vector<std::optional<std::size_t>> row_of_;
     std::vector<bool> used_;
+    std::vector<divisor> divisors_;
     std::vector<expression> doubtful_;
     std::vector<std::set<std::size_t>> rows_with_;  // a superset of the rows with a coefficient in a column
 };

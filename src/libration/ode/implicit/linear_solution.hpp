@@ -18,12 +18,19 @@ struct constraint {
     expression remainder;
 };
 
+/// An expression by which the row of a target was divided.
+struct divisor {
+    std::size_t target = 0;  ///< its index
+    expression by;
+};
+
 /// targets[i] = values[i], free of the targets; or, if elimination removes all targets from an equation, these
 /// constraints and no values.
 struct linear_result {
     std::vector<expression> values;
     std::vector<constraint> constraints;
-    std::vector<expression> doubtful;  ///< the divisors for which the test is false
+    std::vector<divisor> divisors;     ///< all that are not numbers
+    std::vector<expression> doubtful;  ///< those for which the test is false
 };
 
 /// Throws error if an equation is not linear in the targets, or if the equations do not determine them for another

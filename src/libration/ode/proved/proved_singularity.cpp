@@ -335,7 +335,7 @@ std::vector<closed_subsystem> systems_to_cover(const explicit_system& system, st
 
 proved_radius prove_radius(const explicit_system& system, long digits, const proof_route& route) {
     proved_radius result;
-    result.constant = is_constant(system);
+    result.constant = constancy_of(system) != constancy::none;
     if (result.constant || has_entire_solutions(system)) {
         result.infinite = true;
         return result;

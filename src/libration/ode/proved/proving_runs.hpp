@@ -99,7 +99,7 @@ public:
           observer_(std::move(observer)),
           error_bits_(further_.error_bits),
           order_(in_order(system, times)),
-          constant_(!further_.answered && is_constant(system)),
+          constancy_(further_.answered ? constancy::none : constancy_of(system)),
           linear_(!further_.answered && route.matrix_exponential && route.integrator == integrator_choice::automatic
                       ? linear_flow::of(system)
                       : std::nullopt),
@@ -153,6 +153,9 @@ private:
             if (!state) {
                 state = state_at(*march, system_, times_[each.index], bits_.now());
                 collocation_[forward ? 1 : 0] = march->collocation();
+                if (state && constancy_ == constancy::as_defined) {  // it exists up to this time
+                    state = enclosed_start(system_, bits_.now());
+                }
             }
             if (!state) {
                 if (ends(*march, each)) {
@@ -183,7 +186,7 @@ private:
     // Without steps: the initial values of a constant solution, and the exponential of the matrix of a linear system; no
     // longer if that lacks digits.
     std::optional<std::vector<ball>> state_in_closed_form(std::size_t index) {
-        if (constant_) {
+        if (constancy_ == constancy::everywhere) {
             return enclosed_start(system_, bits_.now());
         }
         if (!linear_) {
@@ -287,7 +290,7 @@ private:
     step_observer observer_;
     long error_bits_;
     std::vector<asked_time> order_;
-    bool constant_;  ///< the solution is constant, and nothing else is requested
+    constancy constancy_;  ///< `none` also if anything besides the values is requested
     std::optional<linear_flow> linear_;
     std::vector<bool> done_;
     std::array<std::size_t, 2> ends_;  ///< the places of the first times not reached, backwards and forwards

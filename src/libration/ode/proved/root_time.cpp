@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "libration/ode/domain/defined_zero.hpp"
 #include "libration/ode/hybrid/hybrid_system.hpp"
 #include "libration/ode/node_values.hpp"
 #include "libration/scalar/error.hpp"
@@ -104,6 +105,10 @@ factored_power factored(const expression& whole) {
             case node_kind::product: {
                 const auto& [a, left] = done.at(e.left());
                 const auto& [b, right] = done.at(e.right());
+                if (e.is_unfolded_zero()) {
+                    const expression zero = zero_where_defined(right);
+                    return {zero.is(0) ? 0 : b, zero};
+                }
                 return {a + b, left * right};
             }
             case node_kind::quotient: {

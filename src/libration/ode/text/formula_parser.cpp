@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "formula_refusals.hpp"
+#include "libration/ode/domain/defined_zero.hpp"
 #include "libration/scalar/error.hpp"
 #include "piecewise.hpp"
 
@@ -93,7 +94,7 @@ private:
         while (at_symbol('+') || at_symbol('-')) {
             const token& sign = words_[next_++];
             const expression more = product();
-            total = folded(sign.at, [&] { return sign.symbol == '+' ? total + more : total - more; });
+            total = folded(sign.at, [&] { return written_sum(total, sign.symbol == '+' ? more : -more); });
         }
         --depth_;
         return total;
@@ -109,7 +110,9 @@ private:
             if (sign.symbol == '/' && joined_at_) {
                 refuse_denominator(words_, begin, at, *joined_at_, next_);
             }
-            value = folded(sign.at, [&] { return sign.symbol == '*' ? value * next : value / next; });
+            value = folded(sign.at, [&] {
+                return sign.symbol == '*' ? written_product(value, next) : written_quotient(value, next);
+            });
         }
         return value;
     }
@@ -139,7 +142,7 @@ private:
             const auto behind = unit_behind();
             const expression right = behind ? raised_by_exponent(*behind, first.at) : named_power();
             joined_at_ = at;
-            return folded(first.at, [&] { return value * right; });
+            return folded(first.at, [&] { return written_product(value, right); });
         }
         expression raised = named_power();
         joined_at_.reset();
@@ -193,7 +196,7 @@ private:
             return base;
         }
         const expression exponent = exponent_behind();
-        return folded(at, [&] { return pow(base, exponent); });
+        return folded(at, [&] { return written_power(base, exponent); });
     }
 
     // Of x^2y it is not known where the exponent ends; of x²y it is.

@@ -44,10 +44,9 @@ std::optional<double> algebraic_decay::exponent() const {
     const auto last = changes_.end() - 1;
     const auto later = exponent_between(*(last - 1), *last);
     const auto earlier = exponent_between(*(last - 2), *(last - 1));
-    if (!later || !earlier || *later < least_exponent || std::abs(*later - *earlier) > agreement * *later) {
-        return std::nullopt;
-    }
-    return later;
+    const bool agree = later && earlier && *later >= least_exponent && std::isfinite(*later) &&
+                       std::abs(*later - *earlier) <= agreement * *later;  // false where changes are 0
+    return agree ? later : std::nullopt;
 }
 
 std::string algebraic_decay::text() const {
@@ -58,8 +57,8 @@ std::string algebraic_decay::text() const {
     std::array<char, 40> decimals{};
     const char* const end =
         std::to_chars(decimals.data(), decimals.data() + decimals.size(), *q, std::chars_format::fixed, 2).ptr;
-    return "; its last changes, from t to 2 t, decrease like t^-" +
-           std::string(static_cast<const char*>(decimals.data()), end) + ", algebraically and not exponentially";
+    return "; its last three changes, from t to 2 t, decrease like t^-" +
+           std::string(static_cast<const char*>(decimals.data()), end) + ", algebraically up to there";
 }
 
 }  // namespace libration::ode

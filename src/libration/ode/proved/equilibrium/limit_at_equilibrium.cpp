@@ -4,8 +4,10 @@
 #include <string>
 
 #include "../needed_bits.hpp"
+#include "../set_values.hpp"
 #include "algebraic_decay.hpp"
 #include "libration/ode/dependency.hpp"
+#include "libration/ode/proved/constant_solution.hpp"
 #include "stable_zero.hpp"
 
 namespace libration::ode {
@@ -29,6 +31,14 @@ void require_precision_alone(const proved_march& march) {
         throw no_limit("is not reached: the solution is proved to exist up to " +
                        proved_reach_text(march.reached(), true) + ", and no further step is proved");
     }
+}
+
+std::vector<known_value> known_values_of(const std::vector<ball>& values, long digits) {
+    std::vector<known_value> result;
+    for (const ball& each : values) {
+        improve(result.emplace_back(), each, digits);
+    }
+    return result;
 }
 
 class limit_search {
@@ -84,20 +94,12 @@ private:
             if (!zero || !is_approached(field_, *zero, kept)) {
                 return best;
             }
-            best = printed(state_at_zero(field_, *zero));
+            best = known_values_of(state_at_zero(field_, *zero), digits_);
             if (all_have_digits(*best)) {
                 return best;
             }
         }
         return best;
-    }
-
-    std::vector<known_value> printed(const std::vector<ball>& values) const {
-        std::vector<known_value> result;
-        for (const ball& each : values) {
-            improve(result.emplace_back(), each, digits_);
-        }
-        return result;
     }
 
     std::string not_approached(const std::string& reason) const {
@@ -114,6 +116,11 @@ private:
     algebraic_decay decay_;
 };
 
+// Of a constant solution.
+std::vector<known_value> values_at_start(const explicit_system& system, long digits) {
+    return known_values_of(enclosed_start(system, bits_of_digits(digits) + first_guard_bits), digits);
+}
+
 }  // namespace
 
 partial_trajectory limit_at_equilibrium(const explicit_system& system, long digits, const march_watch& watch,
@@ -124,7 +131,9 @@ partial_trajectory limit_at_equilibrium(const explicit_system& system, long digi
     partial_trajectory whole{.states = {{}}, .missing = {}};
     auto& state = whole.states.front();
     for (const closed_subsystem& each : independent_subsystems(system)) {
-        const auto part = limit_search(each.system, digits, watch, route).values();
+        const auto part = constancy_of(each.system) == constancy::everywhere
+                              ? values_at_start(each.system, digits)
+                              : limit_search(each.system, digits, watch, route).values();
         state.resize(each.leaves_of_whole);
         for (std::size_t k = 0; k < part.size(); ++k) {
             state[each.leaves[k]] = part[k];

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <unordered_map>
+
+#include "libration/ode/domain/defined_zero.hpp"
 
 namespace libration::ode {
 
@@ -26,47 +27,16 @@ bool has_unknown(const expression& e, const std::set<std::string>& names) {
     return found;
 }
 
-// Calls seen(part) for the functions, powers and reciprocals of divisors in an expression, without which it is defined
-// everywhere.
-template <class Seen>
-void each_restricted(const expression& e, const Seen& seen) {
-    with_nodes_replaced(e, [&](const expression& node) -> std::optional<expression> {
-        switch (node.kind()) {
-            case node_kind::quotient: seen(expression(1) / node.right()); break;
-            case node_kind::power:
-            case node_kind::function: seen(node); break;
-            case node_kind::constant:
-            case node_kind::variable:
-            case node_kind::unknown:
-            case node_kind::parameter:
-            case node_kind::sum:
-            case node_kind::product: break;
-        }
-        return std::nullopt;
-    });
-}
-
-// Whether none of these parts, except constant ones, disappears from the right-hand sides.
+// Whether no part with a restricted domain, except constant ones, disappears from the right-hand sides.
 bool keeps_domain(const explicit_system& of, const std::set<std::string>& constant) {
     const replacement by = at_starts(of, constant);
-    std::unordered_multimap<std::size_t, expression> kept;
-    for (const expression& each : of.right()) {
-        each_restricted(replaced(each, by), [&](const expression& part) { kept.emplace(part.hash(), part); });
-    }
-    const auto is_kept = [&](const expression& part) {
-        const auto [first, last] = kept.equal_range(part.hash());
-        return std::any_of(first, last, [&](const auto& each) { return same_form(each.second, part); });
-    };
-    bool all = true;
-    for (const expression& each : of.right()) {
-        if (has_unknown(each, constant)) {
-            each_restricted(each, [&](const expression& part) {
-                const expression at_constants = replaced(part, by);
-                all = all && (at_constants.is_constant() || is_kept(at_constants));
-            });
+    std::vector<expression> kept;
+    for (std::size_t i = 0; i < of.unknowns().size(); ++i) {
+        if (!constant.contains(of.unknowns()[i].name)) {
+            kept.push_back(replaced(of.right()[i], by));
         }
     }
-    return all;
+    return parts_lost(of.right(), by, kept).empty();
 }
 
 }  // namespace
@@ -89,7 +59,7 @@ std::set<std::string> constant_unknowns(const explicit_system& of, const std::ve
         const replacement by = at_starts(of, constant);
         std::set<std::string> moving;
         for (std::size_t i = 0; i < of.unknowns().size(); ++i) {
-            if (constant.contains(of.unknowns()[i].name) && !replaced(of.right()[i], by).is(0)) {
+            if (constant.contains(of.unknowns()[i].name) && !zero_with_domain(of.right()[i], by)) {
                 moving.insert(of.unknowns()[i].name);
             }
         }
