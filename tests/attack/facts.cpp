@@ -30,6 +30,7 @@ refusal_facts facts_of(const std::string& message) {
     facts.radius_at_most = found_in(message, "at most " + number + " and at least " + number + ", both proved");
     facts.radius_at_least = found_in(message, R"(at most \S+ and at least )" + number + ", both proved");
     facts.touches = message.find("touches 0") != std::string::npos;
+    facts.slides = message.find("solution slides along") != std::string::npos;
     return facts;
 }
 

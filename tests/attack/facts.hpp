@@ -17,6 +17,7 @@ struct refusal_facts {
     std::optional<std::string> radius_at_least;  ///< "of at most U and at least L, both proved"
     std::optional<std::string> radius_at_most;
     bool touches = false;  ///< "the function touches 0 there"
+    bool slides = false;   ///< "the solution slides along"
 };
 
 refusal_facts facts_of(const std::string& message);

@@ -30,11 +30,12 @@ program_answer answer_of(const std::string& command) {
     answer.done = WEXITSTATUS(status) == 0;
     if (!answer.done) {
         answer.message = text;
-        return answer;
     }
     std::istringstream lines(text);
     for (std::string each; std::getline(lines, each);) {
-        answer.lines.push_back(each);
+        if (!each.starts_with("libration: ")) {
+            answer.lines.push_back(each);
+        }
     }
     return answer;
 }

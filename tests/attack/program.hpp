@@ -6,7 +6,8 @@
 
 namespace libration::attack {
 
-/// Standard output of a command line, one entry per line; if it fails, the message alone.
+/// Standard output of a command line, one entry per line; if it fails, the lines that it printed before that, and all of
+/// its output as the message.
 struct program_answer {
     bool done = false;
     std::vector<std::string> lines;

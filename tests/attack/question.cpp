@@ -70,6 +70,13 @@ const std::vector<statement_kind>& statement_kinds() {
         {"delay", "solutions with a constant delay, and an event; neutral equations", 10, ask_delay},
         {"set", "bounds of all solutions of a set, at times and at an event, and numbers of events", 10, ask_set},
         {"derivative", "with respect to initial values and parameters, also across events", 10, ask_derivative},
+        {"step of time", "right-hand sides of nested steps of the time", 40, ask_time_steps},
+        {"step of state", "the same of the time and of unknowns", 40, ask_state_steps},
+        {"equality", "conditions whose sides are equal for some time", 40, ask_equality},
+        {"start on surface", "solutions from one and from two switching surfaces", 40, ask_surface_start},
+        {"changed field", "events that change the field at a surface, and bounces", 40, ask_changed_field},
+        {"near time", "times within 1e-40 of those of events, and after events that are not proved", 40,
+         ask_near_times},
     };
     return all;
 }

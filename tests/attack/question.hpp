@@ -20,7 +20,7 @@ namespace libration::attack {
 struct statement_kind {
     const char* name;
     const char* about;  ///< one line of the published table
-    int share;          ///< per thousand questions
+    int share;          ///< of the sum of all shares
     /// Runs one question; errors of the library are caught and checked.
     outcome (*ask)(choices& next);
 };
@@ -48,6 +48,12 @@ outcome ask_limit(choices& next);
 outcome ask_delay(choices& next);
 outcome ask_set(choices& next);
 outcome ask_derivative(choices& next);
+outcome ask_time_steps(choices& next);
+outcome ask_state_steps(choices& next);
+outcome ask_equality(choices& next);
+outcome ask_surface_start(choices& next);
+outcome ask_changed_field(choices& next);
+outcome ask_near_times(choices& next);
 
 /// Stores the command of this thread's current question, and returns it; an empty one ends the question.
 std::string announce(std::string command);

@@ -20,7 +20,7 @@ namespace libration::attack {
 namespace {
 
 constexpr auto longest_question = std::chrono::seconds(120);
-constexpr long shares = 1000;
+constexpr long step_of_kinds = 7919;  // a prime that does not divide the sum of the shares: kinds alternate
 
 const char* name_of(verdict v) {
     switch (v) {
@@ -110,8 +110,12 @@ public:
     }
 
     static std::size_t kind_of(long index) {
-        long place = index * 37 % shares;  // 37 and 1000 are coprime: kinds alternate
         const auto& kinds = statement_kinds();
+        long all = 0;
+        for (const statement_kind& each : kinds) {
+            all += each.share;
+        }
+        long place = index * step_of_kinds % all;
         for (std::size_t k = 0; k < kinds.size(); ++k) {
             place -= kinds[k].share;
             if (place < 0) {
