@@ -122,8 +122,7 @@ step_term product(const step_term& a, const step_term& b) {
 step_term absolute(const step_term& u) {
     return function_of(
         fmt::format("abs({})", u.text), u, 0,
-        [](const line& at, const rational& inside) { return at.at(inside) < 0 ? difference({}, at) : at; },
-        u.is_step);
+        [](const line& at, const rational& inside) { return at.at(inside) < 0 ? difference({}, at) : at; }, u.is_step);
 }
 
 step_term sign_of_term(const step_term& u) {
@@ -258,6 +257,21 @@ step_term term_choices::step(long depth) {
             return conditional(u, next_.one_in(2) ? ">" : ">=", number_term(level()), number_term(next_.between(-2, 3)),
                                number_term(next_.between(-2, 3)));
         }
+    }
+}
+
+step_term term_choices::against_steps(long depth) {
+    const step_term& time = leaves_.front();
+    const step_term steps = step(depth - 1);
+    const step_term apart = sum(time, product(number_term(next_.one_in(2) ? -1 : next_.between(1, 3)), steps));
+    switch (next_.below(6)) {
+        case 0: return extreme(next_.one_in(2), time, steps);
+        case 1: return floor_of(apart, 1);
+        case 2: return absolute(apart);
+        case 3: return product(sign_of_term(apart), leaf());
+        default:
+            return conditional(time, any_relation(next_), steps, number_term(next_.between(-2, 5)),
+                               number_term(next_.between(-2, 5)));
     }
 }
 

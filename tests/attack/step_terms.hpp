@@ -73,13 +73,14 @@ public:
 
     /// Of at most so many functions inside each other.
     step_term any(long depth);
-    /// A conditional on top.
-    step_term condition(long depth);
+    /// A function of the first leaf and of steps that depend on any: its argument jumps where they do.
+    step_term against_steps(long depth);
     /// Small multiples of 1/2 and of 1/3: many steps change at one time.
     rational level();
 
 private:
     step_term leaf();
+    step_term condition(long depth);
     step_term step(long depth);
     step_term operand(long depth);
 

@@ -42,38 +42,43 @@ moving_unknown any_unknown(const std::string& name, choices& next) {
             bent_term(name, {start, first}, time, {level - second * time, second})};
 }
 
-// y' = slope, y(0) = start, at times in a unit.
-printed_question question_of(const step_term& slope, const std::string& others, const std::string& unit,
-                             const truth& unit_value, choices& next) {
+// y' = slope with a start at `origin`, at later times in a unit.
+struct asked_slope {
+    step_term slope;
+    std::string others = "";  // the equations of unknowns in it
+    rational origin = 0;
+    std::string unit = "";
+    truth unit_value = [] { return mpfr(1); };
+};
+
+outcome ask(const asked_slope& asked, choices& next) {
     const rational start = next.one_in(2) ? rational(0) : rational(next.between(-4, 4), 3);
     printed_question question;
-    question.problem = fmt::format("y' = {}; y(0) = {}{}", slope.text, as_typed(start), others);
+    question.problem =
+        fmt::format("y' = {}; y({}) = {}{}", asked.slope.text, asked.origin.str(), as_typed(start), asked.others);
     question.digits = next.between(2, 30);
     question.unknowns = {{"y", {}}};
     question.slides = false;
     for (long k = next.between(1, 2); k > 0; --k) {
-        const rational time(next.between(1, 12 * most_time), 12);
-        const rational grown = integral(slope, 0, time);
-        question.times.push_back(time.str() + unit);
-        question.unknowns.front().values.emplace_back([=] { return mpfr(real(start) + real(grown) * unit_value()); });
+        const rational time = asked.origin + rational(next.between(1, 12 * most_time), 12);
+        const rational grown = integral(asked.slope, asked.origin, time);
+        question.times.push_back(time.str() + asked.unit);
+        question.unknowns.front().values.emplace_back(
+            [=, unit = asked.unit_value] { return mpfr(real(start) + real(grown) * unit()); });
     }
-    return question;
-}
-
-truth one() {
-    return [] { return mpfr(1); };
+    return asked_program(question);
 }
 
 }  // namespace
 
 outcome ask_time_steps(choices& next) {
     if (next.one_in(4)) {
-        const step_term time = linear_term("(t/pi)", {0, 1});
-        return asked_program(
-            question_of(term_choices(next, {time}, "t").any(next.between(1, 3)), "", "*pi", pi_value, next));
+        const step_term turns = linear_term("(t/pi)", {0, 1});
+        const step_term slope = term_choices(next, {turns}, "t").any(next.between(1, 3));
+        return ask({.slope = slope, .unit = "*pi", .unit_value = pi_value}, next);
     }
-    const step_term time = linear_term("t", {0, 1});
-    return asked_program(question_of(term_choices(next, {time}, "pi*t").any(next.between(1, 3)), "", "", one(), next));
+    const step_term slope = term_choices(next, {linear_term("t", {0, 1})}, "pi*t").any(next.between(1, 3));
+    return ask({.slope = slope, .origin = next.one_in(2) ? rational(0) : rational(next.between(-4, 4), 2)}, next);
 }
 
 outcome ask_state_steps(choices& next) {
@@ -87,7 +92,9 @@ outcome ask_state_steps(choices& next) {
             break;
         }
     }
-    return asked_program(question_of(term_choices(next, leaves).any(next.between(1, 3)), others, "", one(), next));
+    term_choices terms(next, leaves);
+    const long depth = next.between(1, 3);
+    return ask({.slope = next.one_in(2) ? terms.any(depth) : terms.against_steps(depth), .others = others}, next);
 }
 
 }  // namespace libration::attack
