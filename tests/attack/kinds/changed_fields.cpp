@@ -39,7 +39,7 @@ outcome asked_from_surface(printed_question question, const sign_term& velocity,
     return asked_program(question);
 }
 
-// x does not fall, until a reset takes it to 0.
+// x does not fall, until a reset sets it to 0.
 outcome ask_reset_to_surface(const sign_term& velocity, choices& next) {
     const rational event(next.between(1, 4), 2);
     const rational since(next.between(1, 6), 4);
