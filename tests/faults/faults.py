@@ -721,6 +721,43 @@ FAULTS = [
         ("slopes of the states alone", "form.slopes_at(around, times));", "form.slopes_at(states, times));"),
     ),
     *in_file(
+        "src/libration/ode/hybrid/proved/initial_mode.cpp", ["problem/branches_test.cpp"],
+        ("a step that another one changes kept", "same_form(u, system_.argument(i, *before_))", "true"),
+        ("no 0 in the lists", "{sign_number(-1), sign_number(0), sign_number(1)}", "{sign_number(-1), sign_number(1)}"),
+        ("one list for all", "return std::ranges::all_of(candidates, [&](const number& each) {",
+         "candidates.resize(1);\n        return std::ranges::all_of(candidates, [&](const number& each) {"),
+        ("a derivative with an open step", "if (!same || at_.sign(now) != 0) {", "if (at_.sign(now) != 0) {"),
+        ("rest taken for the value above", ": std::optional(sign_number(0));", ": std::optional(sign_number(1));"),
+        ("a jump at rest not stated", "by_relation_.push_back(i);", ""),
+        ("the first sign taken for all", "return each.sign == first_sign;", "return each.sign.has_value();"),
+    ),
+    *in_file(
+        "src/libration/ode/hybrid/proved/branch_beginning.cpp", ["problem/branches_test.cpp"],
+        ("a value that is not decided taken for 0", "return is_zero(in_values_before) ? std::optional(0) : std::nullopt;",
+         "return 0;"),
+        ("resets forgotten in what is 0", "return at_time(with_leaves(e, system_.leaves(), reset_));", "return at_time(e);"),
+    ),
+    *in_file(
+        "src/libration/ode/hybrid/proved/branch_search.cpp", ["problem/branches_test.cpp"],
+        ("the limit of the first statement", "certainly_less(lower_bound(*each.limit), lower_bound(*blocking->limit))", "false"),
+        ("a common time that is no zero", "return here.kind() == node_kind::constant && here.constant().sign() == 0;",
+         "return here.kind() == node_kind::constant;"),
+    ),
+    *in_file(
+        "src/libration/ode/hybrid/proved/hybrid_trajectory.cpp", ["problem/branches_test.cpp"],
+        ("near times in any order", ": (times[a] - times[b]).sign() < 0;", ": false;"),
+    ),
+    *in_file(
+        "src/libration/ode/text/piecewise.cpp", ["problem/branches_test.cpp", "ode/hybrid/hybrid_text_test.cpp"],
+        ("equality left out of >=", "or_equal ? name_of_nonnegative(found.parameter)", "false ? name_of_nonnegative(found.parameter)"),
+        ("equality kept in the opposite", "1 - indicator(!condition.or_equal)", "1 - indicator(condition.or_equal)"),
+    ),
+    *in_file(
+        "src/libration/scalar/number/separation_bound.cpp", ["scalar/separation_bound_test.cpp"],
+        ("the degree of the roots forgotten", "(of_roots.degree() - 1) * bounds->above", "0 * bounds->above"),
+        ("one root for all", "roots_.insert(&root).second ? bounded(degree_ * k)", "roots_.empty() ? bounded(degree_ * k)"),
+    ),
+    *in_file(
         "src/libration/ode/hybrid/proved/branch_entry.cpp", ["problem/hybrid_solution_test.cpp"],
         ("resets from values that are reset", "with_leaves(value.value, leaves, before)",
          "with_leaves(value.value, leaves, now)"),

@@ -122,6 +122,10 @@ TEST_CASE("solutions that are not unique have no value", "[problem][hybrid]") {
 
 TEST_CASE("a function that vanishes on a branch keeps its domain", "[problem][hybrid]") {
     CHECK_THAT(refusal("x' = abs(x)*log(1 - t); x(0) = 0", "2"), Catch::Contains("is not reached"));
+    CHECK_THAT(refusal("y' = sign(a)*log(1 - t); y(0) = 0; a = 0", "2"), Catch::Contains("is not reached"));
+    CHECK_THAT(refusal("y' = floor(t/9)*log(1 - t); y(0) = 0", "2"), Catch::Contains("is not reached"));
+    // What is not chosen need not be defined.
+    CHECK(refusal("y' = if(a > 0, log(1 - t), 1); y(0) = 0; a = 0", "2").empty());
 }
 
 TEST_CASE("functions of time that are 0 at a common exact time are crossed together", "[problem][hybrid]") {

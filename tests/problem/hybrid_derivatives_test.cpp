@@ -203,7 +203,11 @@ TEST_CASE("derivatives that differ on two sides are rejected", "[problem][hybrid
     CHECK_THAT(refused(relay, "r"), Catch::Contains("is neither a parameter nor an initial value"));
     const std::string later = "x' = x; x(p) = 1; p = 1; when x = 100 up: x = 1";
     CHECK_THAT(refused(later, "p"), Catch::Contains("derivatives p determines the initial point"));
-    CHECK_THAT(refused("x' = floor(t/T); x(0) = 0; T = 2", "T"), Catch::Contains("linear in t"));
+    CHECK_THAT(refused("x' = floor(t/T); x(0) = 0; T = 2", "T"),
+               Catch::Contains("begins on the surface of `floor(t/T)`"));
+    const std::string remaining = "x' = 1; z' = 1; y' = if(x > z, 1, 0); x(0) = 0; z(0) = 0; y(0) = 0";
+    CHECK_THAT(refused(remaining, "x(0)"), Catch::Contains("remains on the surface of `if(x > z, 1, 0)`"));
+    CHECK(refused(remaining, "y(0)").empty());
 }
 
 }  // namespace problem_hybrid_derivatives_test

@@ -95,6 +95,9 @@ struct step_function {
 /// parameter.
 inline std::string name_of_positive(const std::string& parameter) { return parameter + " > 0"; }
 inline std::string name_of_nonnegative(const std::string& parameter) { return parameter + " >= 0"; }
+inline bool is_indicator(const std::string& parameter) {
+    return parameter.ends_with(" > 0") || parameter.ends_with(" >= 0");
+}
 /// All parameters that represent a step function, where it has this value.
 std::vector<definition> parameters_of(const step_function& step, const number& value);
 /// The same parameters, each as an expression of its name: with them parameter_values leaves step functions unchanged.

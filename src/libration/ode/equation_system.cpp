@@ -224,20 +224,20 @@ number parameter_values::number_of(const expression& e) {
     return value.constant();
 }
 
-// Parameters that can be typed keep the domain of what they multiply. Step functions and other parameters of the
-// program (their names contain blanks) choose between branches: of those that are not chosen nothing is left.
+// Parameters keep the domain of what they multiply, step functions that are 0 too: 0*log(1 - t) has no value from t = 1
+// on. Indicators choose between branches: of those that are not chosen nothing is left.
 expression parameter_values::substituted(const expression& e) const {
     if (!e.has_parameters()) {
         return e;
     }
-    const auto by = [&](bool typed) -> replacement {
-        return [&, typed](const expression& leaf) {
-            const bool here = leaf.kind() == node_kind::parameter && (leaf.name().find(' ') == std::string::npos) == typed;
+    const auto by = [&](bool indicators) -> replacement {
+        return [&, indicators](const expression& leaf) {
+            const bool here = leaf.kind() == node_kind::parameter && is_indicator(leaf.name()) == indicators;
             return here ? std::optional(values_.at(leaf.name())) : std::nullopt;
         };
     };
-    const expression typed = replaced_as_written(e, by(true));
-    return typed.has_parameters() ? replaced(typed, by(false)) : typed;
+    const expression factors = replaced_as_written(e, by(false));
+    return factors.has_parameters() ? replaced(factors, by(true)) : factors;
 }
 
 // Depth first without recursion: each definition in `open_` needs the one after it.

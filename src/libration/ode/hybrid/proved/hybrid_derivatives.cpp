@@ -34,9 +34,26 @@ bool is_same_side(const varied_system& of, const explicit_system& branch, std::s
     return partial(at_start, dependence.leaf).is(0) && sign_at(form, branch.point(), form.slope_of(in_leaves)) != 0;
 }
 
+// For a solution that remains on the surface g = 0.
+void require_no_dependence(const varied_system& of, const std::vector<std::string>& numbers, const expression& g,
+                           const std::string& text) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (of.dependences[i].has(g)) {
+            refuse_derivative(numbers[i], "is not supported for a solution that remains on the surface of `" + text +
+                                              "`, which nearby solutions may leave: choose another number or initial "
+                                              "point");
+        }
+    }
+}
+
 void require_same_side(const varied_system& of, const std::vector<std::string>& numbers) {
     const step_values steps = values_at_start(of.system);
     const explicit_system branch = of.system.first_branch(steps);
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        if (of.system.is_at_rest(i, steps)) {
+            require_no_dependence(of, numbers, of.system.argument(i, steps), of.system.steps()[i].text);
+        }
+    }
     for (const surface& each : of.system.surfaces(steps)) {
         for (std::size_t i = 0; i < numbers.size(); ++i) {
             if (!each.time && !is_same_side(of, branch, i, each.g)) {
