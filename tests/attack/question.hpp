@@ -40,6 +40,8 @@ outcome ask_position(choices& next);
 outcome ask_coefficient(choices& next);
 outcome ask_zero(choices& next);
 outcome ask_refusal(choices& next);
+outcome ask_domain(choices& next);
+outcome ask_singular_start(choices& next);
 outcome ask_algebraic(choices& next);
 outcome ask_jump(choices& next);
 outcome ask_branch(choices& next);

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "libration/ode/domain/defined_zero.hpp"
 #include "libration/ode/integrator.hpp"
 #include "libration/ode/taylor_expansion.hpp"
 #include "libration/scalar/error.hpp"
@@ -53,7 +54,8 @@ step_length taylor_step(long size, const std::vector<coefficient_size>& last, co
 
 /// An integration in real time in the arithmetic of T. Errors: some epsilon of the largest component per step,
 /// amplified by the flow; nothing is proved. A step ends where the next expansion begins; in between, the polynomial is
-/// the solution (dense output), so that it does not depend on the requested times.
+/// the solution (dense output), so that it does not depend on the requested times. Steps also end before the
+/// singularities of parts that the solution does not show (hidden_parts), except from a singular initial point.
 template <ordered_scalar T>
 class taylor_march {
 public:
@@ -68,8 +70,9 @@ public:
     /// steps of R/e^2.
     taylor_march(const explicit_system& system, const step_accuracy& accuracy,
                  const series::block_product<T>* fast = nullptr)
-        : start_(tape::about_start(system)),
-          points_(tape::about_points(system)),
+        : hidden_(system.singular() ? std::vector<expression>() : hidden_parts(system)),
+          start_(hidden_.empty() ? tape::about_start(system) : tape::about_points(system, hidden_)),
+          points_(tape::about_points(system, hidden_)),
           accuracy_(accuracy),
           first_(start_, accuracy.order, fast),
           other_(points_, accuracy.order, fast),
@@ -176,6 +179,26 @@ private:
         for (int i = 1; i < root; ++i) {
             length_ *= T(ldexp(T(h.mantissa), static_cast<int>(h.exponent)));
         }
+        for (std::size_t which = 0; which < hidden_.size(); ++which) {
+            limit_by(static_cast<int>(which));
+        }
+    }
+
+    // Parts that do not change the solution limit it where they are defined.
+    void limit_by(int hidden) {
+        using std::ldexp;
+        const T* const a = current().watched(hidden);
+        const int last = current().order() - *std::max_element(points_.orders().begin(), points_.orders().end());
+        std::vector<coefficient_size> sizes;
+        for (int n = std::max(1, last - 1); n <= last; ++n) {
+            sizes.push_back({n, binary_exponent(a[n])});
+        }
+        const step_length h = taylor_step(std::max(1L, binary_exponent(a[0])), sizes);
+        const T most = T(ldexp(T(h.mantissa), static_cast<int>(h.exponent)));
+        if (h.mantissa != 0 && (unlimited_ || most < length_)) {
+            unlimited_ = false;
+            length_ = most;
+        }
     }
 
     // The binary exponent of the largest coefficient of degree n.
@@ -208,6 +231,7 @@ private:
         return result;
     }
 
+    std::vector<expression> hidden_;  // watched by both tapes
     tape start_, points_;
     step_accuracy accuracy_;
     taylor_expansion<T> first_, other_;

@@ -232,8 +232,7 @@ expression operator/(const expression& a, const expression& b) {
     if (a.is(0)) {
         return {};
     }
-    return same_form(a, b) && !a.is_unfolded_zero() ? expression(1)
-                                                    : expression::binary(node_kind::quotient, a, b);
+    return same_form(a, b) && !a.is_unfolded_zero() ? expression(1) : expression::binary(node_kind::quotient, a, b);
 }
 
 expression unfolded_zero(const expression& e) {

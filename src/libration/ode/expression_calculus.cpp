@@ -80,8 +80,9 @@ expression with_operands(const expression& e, const node_values<expression>& don
         case node_kind::quotient: return done.at(e.left()) / done.at(e.right());
         case node_kind::power: return pow(done.at(e.left()), done.at(e.right()));
         case node_kind::function:
-            return e.has_order() ? apply(e.function(), by ? with_nodes_replaced(e.right(), by) : e.right(), done.at(e.left()))
-                                 : apply(e.function(), done.at(e.left()));
+            return e.has_order()
+                       ? apply(e.function(), by ? with_nodes_replaced(e.right(), by) : e.right(), done.at(e.left()))
+                       : apply(e.function(), done.at(e.left()));
         case node_kind::constant:
         case node_kind::variable:
         case node_kind::unknown:

@@ -37,7 +37,8 @@ struct constant_value<exact_coefficient> {
 };
 
 template <>
-exact_coefficient function_value<exact_coefficient>(function_kind f, const exact_coefficient& x, const rational* order) {
+exact_coefficient function_value<exact_coefficient>(function_kind f, const exact_coefficient& x,
+                                                    const rational* order) {
     return exact_coefficient(has_order(f) ? apply(f, *order, x.value) : apply(f, x.value));
 }
 

@@ -141,8 +141,9 @@ TEST_CASE("solutions without a stable equilibrium have the reason", "[ode][prove
     CHECK_THAT(reason_of("y' = t - y; y(0) = 1"), Contains("that contain the variable"));
     CHECK_THAT(reason_of("y' = 1 + y^2; y(0) = 0"), Contains("exist up to 1.570796326"));
     CHECK_THAT(reason_of("x'' = -x; x(0) = 1; x'(0) = 0"), Contains("no stable equilibrium") && !Contains("algebraic"));
-    // The unstable equilibrium itself.
-    CHECK_THAT(reason_of("y' = y - y^2; y(0) = 0"), Contains("more than 20000 steps"));
+    // An unstable equilibrium, which the solution approaches exponentially.
+    CHECK_THAT(reason_of("x' = x; y' = x - y; x(0) = 0; y(0) = 1"),
+               Contains("more than 20000 steps") && !Contains("nan") && !Contains("algebraic"));
 }
 
 // The solutions are 1/(1 + t), (1 + 2 t)^(-1/2) and log(1 + t), which has no limit though its slope decreases like 1/t.

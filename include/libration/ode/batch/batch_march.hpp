@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -50,10 +51,14 @@ public:
 
 private:
     class integration;
+    void run_alone(const batch_request& request, std::span<double> values,
+                   const std::function<void(std::size_t)>& finished);
 
     batch_expansion expansion_;
     step_accuracy accuracy_;
     std::vector<std::size_t> written_;  // the components that are no parameters
+    std::vector<int> orders_;
+    std::optional<taylor_march<double>> alone_;  // where parts are hidden (hidden_parts): one solution after the other
 };
 
 }  // namespace libration::ode

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
-#include "libration/ode/expression.hpp"
+#include "libration/ode/explicit_system.hpp"
 
 namespace libration::ode {
 
@@ -41,5 +43,16 @@ expression replaced_as_written(const expression& e, const replacement& by);
 /// Whether an expression is identically 0 where its leaves have these values, and where: the parts that have to be
 /// analytic for it, none if it is 0 everywhere. std::nullopt if that does not follow by folding, which is exact.
 std::optional<std::vector<expression>> zero_with_domain(const expression& e, const replacement& by);
+
+/// The unknowns that keep their initial values: the largest set of unknowns of these names with derivatives 0 whose
+/// right-hand sides vanish identically where all of them have these values.
+std::set<std::string> resting_unknowns(const explicit_system& of, std::set<std::string> among);
+/// The values of these unknowns and of their derivatives at the initial point.
+replacement at_starts(const explicit_system& of, const std::set<std::string>& names);
+
+/// The parts of the right-hand sides that do not move the solution from the initial values, but end it where they are
+/// not analytic: those of unfolded zeros, and those that resting unknowns multiply by 0. A method whose steps follow
+/// from the size of the solution's coefficients has to limit them by these, too.
+std::vector<expression> hidden_parts(const explicit_system& of);
 
 }  // namespace libration::ode

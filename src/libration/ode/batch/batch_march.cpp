@@ -283,6 +283,12 @@ private:
 
 batch_march::batch_march(const explicit_system& system, const step_accuracy& accuracy, std::vector<bool> parameters)
     : expansion_(system, accuracy.order, std::move(parameters)), accuracy_(accuracy) {
+    for (const unknown_function& each : system.unknowns()) {
+        orders_.push_back(each.order);
+    }
+    if (!hidden_parts(system).empty()) {
+        alone_.emplace(system, accuracy);
+    }
     for (std::size_t i = 0; i < expansion_.size(); ++i) {
         if (!expansion_.parameters()[i]) {
             written_.push_back(i);
@@ -290,9 +296,55 @@ batch_march::batch_march(const explicit_system& system, const step_accuracy& acc
     }
 }
 
+void batch_march::run_alone(const batch_request& request, std::span<double> values,
+                            const std::function<void(std::size_t)>& finished) {
+    std::ranges::fill(values, std::numeric_limits<double>::quiet_NaN());
+    const auto order = in_order_of_steps(request.begin, request.times);
+    const std::size_t solutions = size() == 0 ? 0 : request.states.size() / size();
+    for (std::size_t k = 0; k < solutions; ++k) {
+        const auto start = request.states.subspan(k * size(), size());
+        solution_state<double> state;
+        for (auto next = start.begin(); const int each : orders_) {
+            state.emplace_back(next, next + each);
+            next += each;
+        }
+        alone_->begin_at(request.begin, std::move(state));
+        std::array<bool, 2> ended{};  // backwards and forwards
+        for (const std::size_t at : order) {
+            bool& ended_here = ended[request.times[at] >= request.begin ? 1 : 0];
+            if (ended_here) {
+                continue;
+            }
+            std::vector<double> reached;
+            try {
+                for (const auto& of_unknown : alone_->advance_to(request.times[at])) {
+                    reached.insert(reached.end(), of_unknown.begin(), of_unknown.end());
+                }
+            } catch (const error& problem) {
+                if (problem.subject() != "time") {
+                    throw;
+                }
+            }
+            const auto finite = [&](std::size_t i) { return std::isfinite(reached[i]); };
+            ended_here = reached.empty() || !std::ranges::all_of(written_, finite);
+            double* to = values.data() + (k * request.times.size() + at) * written_.size();
+            for (std::size_t i = 0; !ended_here && i < written_.size(); ++i) {
+                to[i] = reached[written_[i]];
+            }
+        }
+        if (finished) {
+            finished(k + 1);
+        }
+    }
+}
+
 void batch_march::run(const batch_request& request, std::span<double> values,
                       const std::function<void(std::size_t)>& finished) {
-    integration(*this, request, values).run(finished);
+    if (alone_) {
+        run_alone(request, values, finished);
+    } else {
+        integration(*this, request, values).run(finished);
+    }
 }
 
 }  // namespace libration::ode

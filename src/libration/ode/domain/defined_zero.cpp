@@ -1,5 +1,6 @@
 #include "libration/ode/domain/defined_zero.hpp"
 
+#include <algorithm>
 #include <string_view>
 #include <unordered_set>
 
@@ -59,13 +60,17 @@ public:
             }
             expression made = with_operands(node, done_, by_);
             if (is_restricted(node)) {
-                add(node.kind() == node_kind::quotient ? expression(1) / done_.at(node.right()) : made);
+                const bool quotient = node.kind() == node_kind::quotient;
+                add(quotient ? expression(1) / done_.at(node.right()) : made,
+                    quotient ? expression(1) / node.right() : node);
             }
             return made;
         });
     }
 
     const std::vector<expression>& parts() const { return parts_; }
+    // The same before their leaves were replaced.
+    const std::vector<expression>& originals() const { return originals_; }
     bool has(const expression& part) const { return known_.contains(part); }
 
 private:
@@ -74,20 +79,21 @@ private:
             part_reader inner({});
             inner.read(other);
             for (const expression& each : inner.parts()) {
-                add(each);
+                add(each, each);
             }
         }
     }
 
-    void add(const expression& part) {
+    void add(const expression& part, const expression& original) {
         if (!is_folded(part) && known_.insert(part).second) {
             parts_.push_back(part);
+            originals_.push_back(original);
         }
     }
 
     const replacement by_;
     node_values<expression> done_;
-    std::vector<expression> parts_;
+    std::vector<expression> parts_, originals_;
     part_set known_;
     std::unordered_set<const void*> replacements_;
 };
@@ -186,6 +192,65 @@ std::optional<std::vector<expression>> zero_with_domain(const expression& e, con
     part_reader before(by);
     const expression value = before.read(e);
     return without_zeros(value).is(0) ? std::optional(before.parts()) : std::nullopt;
+}
+
+replacement at_starts(const explicit_system& of, const std::set<std::string>& names) {
+    return [&of, names, places = places_of(of.unknowns())](const expression& leaf) -> std::optional<expression> {
+        if (leaf.kind() != node_kind::unknown || !names.contains(leaf.name())) {
+            return std::nullopt;
+        }
+        return expression(of.starts()[places.at(leaf.name())][static_cast<std::size_t>(leaf.derivative())]);
+    };
+}
+
+std::set<std::string> resting_unknowns(const explicit_system& of, std::set<std::string> among) {
+    for (std::size_t before = among.size() + 1; before != among.size();) {
+        before = among.size();
+        const replacement by = at_starts(of, among);
+        std::set<std::string> moving;
+        for (std::size_t i = 0; i < of.unknowns().size(); ++i) {
+            if (among.contains(of.unknowns()[i].name) && !zero_with_domain(of.right()[i], by)) {
+                moving.insert(of.unknowns()[i].name);
+            }
+        }
+        std::erase_if(among, [&](const std::string& name) { return moving.contains(name); });
+    }
+    return among;
+}
+
+std::vector<expression> hidden_parts(const explicit_system& of) {
+    std::set<std::string> among;
+    for (std::size_t i = 0; i < of.starts().size() && !of.singular(); ++i) {
+        const auto& values = of.starts()[i];
+        if (std::all_of(values.begin() + 1, values.end(),
+                        [](const number& x) { return x.fraction() == rational(0); })) {
+            among.insert(of.unknowns()[i].name);
+        }
+    }
+    part_reader all({});
+    for (const expression& each : of.right()) {
+        all.read(each);
+    }
+    std::vector<expression> hidden;
+    if (all.parts().empty()) {
+        return hidden;
+    }
+    const std::set<std::string> resting = resting_unknowns(of, std::move(among));
+    const replacement by = at_starts(of, resting);
+    part_reader before(by);
+    part_reader moving({});
+    for (std::size_t i = 0; i < of.right().size(); ++i) {
+        before.read(of.right()[i]);
+        if (!resting.contains(of.unknowns()[i].name)) {
+            moving.read(without_zeros(replaced(of.right()[i], by)));
+        }
+    }
+    for (std::size_t k = 0; k < before.parts().size(); ++k) {
+        if (!moving.has(before.parts()[k])) {
+            hidden.push_back(before.originals()[k]);
+        }
+    }
+    return hidden;
 }
 
 }  // namespace libration::ode

@@ -2,22 +2,13 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "libration/ode/domain/defined_zero.hpp"
 
 namespace libration::ode {
 
 namespace {
-
-// The unknowns at their initial values.
-replacement at_starts(const explicit_system& of, const std::set<std::string>& constant) {
-    return [&of, &constant, places = places_of(of.unknowns())](const expression& leaf) -> std::optional<expression> {
-        if (leaf.kind() != node_kind::unknown || !constant.contains(leaf.name())) {
-            return std::nullopt;
-        }
-        return expression(of.starts()[places.at(leaf.name())][static_cast<std::size_t>(leaf.derivative())]);
-    };
-}
 
 bool has_unknown(const expression& e, const std::set<std::string>& names) {
     bool found = false;
@@ -54,17 +45,7 @@ std::set<std::string> constant_unknowns(const explicit_system& of, const std::ve
         }
         start = next;
     }
-    for (std::size_t before = constant.size() + 1; before != constant.size();) {
-        before = constant.size();
-        const replacement by = at_starts(of, constant);
-        std::set<std::string> moving;
-        for (std::size_t i = 0; i < of.unknowns().size(); ++i) {
-            if (constant.contains(of.unknowns()[i].name) && !zero_with_domain(of.right()[i], by)) {
-                moving.insert(of.unknowns()[i].name);
-            }
-        }
-        std::erase_if(constant, [&](const std::string& name) { return moving.contains(name); });
-    }
+    constant = resting_unknowns(of, std::move(constant));
     return keeps_domain(of, constant) ? constant : std::set<std::string>();
 }
 
