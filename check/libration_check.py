@@ -1,450 +1,1135 @@
 #!/usr/bin/env python3
-"""libration_check.py FILE: checks a certificate of values of a differential equation and prints the proved statement.
-The format and the theorem are in docs/certificates.md. Integers and fractions only.
-Exit status: 0 if it is proved, 1 if a condition does not hold, 2 if the file is not a certificate of this format.
+"""libration_check.py FILE: proves the statement of a certificate, or refuses it.
 
-A polynomial in x on [-1, 1] is a list a of integers, with an exponent k that is kept apart:
-    2^-k (a[0] + sum over j > 0 of 2 a[j] T_j(x)) = 2^-k (sum over |j| < len(a) of a[|j|] z^j),   x = (z + 1/z)/2,
-so that the sum of all |a[|j|]| is a bound, and products are products of polynomials in z."""
-import ast, itertools, math, re, sys, zlib
+A certificate contains equations, initial values, claims, and a tube around the solution, step by
+step. Here the conditions are checked from which the claims follow, with integers and fractions:
+exactly, or rounded to the safe side. The format and the theorems are in docs/certificates.md.
+Exit status: 0 if the statement is proved, 1 if a condition does not hold, 2 if the file is not a
+certificate of this format.
+"""
+import itertools
+import math
+import re
+import sys
+import zlib
 from fractions import Fraction
-from functools import cache, reduce
 
-PARTS, ONE, NAME = 8, Fraction(1), r"[^\W\d]\w*'*"          # on each PART of a step the rate of a mode is bounded
-class Refused(Exception): status = 1
-class Malformed(Refused): status = 2
-def need(condition, reason, error=Refused):
-    if not condition: raise error(reason)
-def form(condition, reason): need(condition, reason, Malformed)
-def two(k): return Fraction(2)**k
-def root_up(x): return math.isqrt(x - 1) + 1 if x > 0 else 0                            # an integer >= sqrt(x)
-def norm(a): return 2 * sum(map(abs, a)) - abs(a[0]) if a else 0                        # at least |a(x)|
+# ------------------------------------------------------------------------- Limits and refusals
+# Each limit is checked before the work that it bounds. Both checkers have the same.
+
+MOST_TEXT = 2**28  # characters of a certificate
+MOST_FORMULA, MOST_DIGITS = 100_000, 4000  # characters of a formula, digits of an integer
+MOST_NESTING = 150  # signs, exponents and parentheses in one another
+MOST_NUMBER = 2**17  # bits of numerators and denominators computed from formulas
+MOST_POWER, MOST_START_POWER = 100, 10_000  # whole powers; in enclosures of initial values
+MOST_ARGUMENT = 1000  # of exp, sin and cos in enclosures of initial values
+MOST_OPERATIONS = 20  # of a start; and powers and functions of all starts together
+MOST_PRODUCTS = 10**6  # products of two terms, in the polynomials of a certificate
+MOST_FACTORS = 400  # of a term
+MOST_UNKNOWNS, MOST_DEFINITIONS = 400, 200  # the unknowns with derivatives and added ones
+MOST_CLAIMS, MOST_ZEROS = 10_000, 10_000
+MOST_BITS, MOST_EXPONENT = 10_000, 20_000  # of bounds and enclosures; of polynomials and radii
+MOST_SHIFT = 2**18  # bits by which the scales of unknowns shift a term
+MOST_COMMON = 2**20  # bits of the common denominator of the equations on a step
+MOST_STEP = 2**31  # bits of a product of as many polynomials as a term has factors
+MOST_PARTS = 2000  # of a step, for the sign of a condition
+
+
+class Refused(Exception):
+    status = 1  # a condition of a theorem does not hold
+
+
+class Malformed(Refused):
+    status = 2  # the text is not of the format
+
+
+def need(condition, reason, text="", kind=Refused):
+    if not condition:
+        raise kind(reason.replace("%s", text if len(text) <= 60 else text[:57] + "..."))
+
+
+def form(condition, reason, text=""):
+    need(condition, reason, text, Malformed)
+
+
+def size_in_bits(x):
+    return max(x.numerator.bit_length(), x.denominator.bit_length())
+
+
+def limited(x):
+    form(size_in_bits(x) <= MOST_NUMBER, "a number is too large")
+    return x
+
+
+def two(k):
+    return Fraction(2) ** k
+
+
+# ----------------------------------------------------------------------- Polynomials on a step
+# A polynomial in x on [-1, 1] is a list a of integers, with an exponent k that is kept apart. With
+# x = (z + 1/z)/2 and the Chebyshev polynomials T_j = (z^j + z^-j)/2 it is
+#     2^-k (a[0] + sum over j > 0 of 2 a[j] T_j(x)) = 2^-k (sum over all j of a[|j|] z^j).
+# So products are products of polynomials in z, and, because |T_j| <= 1 on [-1, 1], the sum of all
+# |a[|j|]|, j positive and negative, is at least |a(x)|.
+
+def norm(a):
+    """At least |a(x)| on [-1, 1]."""
+    return 2 * sum(map(abs, a)) - abs(a[0]) if a else 0
+
+
 def value(a, x):
-    """a(x) by Clenshaw's recurrence b_j = a_j + 2 x b_(j+1) - b_(j+2), times powers of the denominator of x."""
-    u, v, b, power = x.numerator, x.denominator, [0, 0, 0], 1
+    """a(u/v), by Clenshaw's b_j = a_j + 2 (u/v) b_(j+1) - b_(j+2), times powers of v."""
+    u, v = x.numerator, x.denominator
+    b0 = b1 = b2 = 0
+    power = 1
     for c in reversed(a):
-        b, power = [c * power + 2 * u * b[0] - v * v * b[1], b[0], b[1]], power * v
-    return Fraction(b[0] - v * v * b[2], max(power // v, 1))
-def derivative(a): return [sum(2 * k * a[k] for k in range(j + 1, len(a), 2)) for j in range(len(a) - 1)]
-def scaled(a, c): return [c * x for x in a]
-def add(a, b):
-    return [x + y for x, y in zip(a + [0] * (len(b) - len(a)), b + [0] * (len(a) - len(b)))]
-def dot(u, v):
-    """The sum of u[i] v[i], by products of values at z = 256^w, w so large that the coefficients can be read off."""
-    pairs = [(a, b) for a, b in zip(u, v) if any(a) and any(b)]
-    n = max((len(a) + len(b) for a, b in pairs), default=1) - 1
-    w = (sum(norm(a) * norm(b) for a, b in pairs).bit_length() + 9) // 8
-    half, halves = 1 << 8 * w - 1, lambda k: int.from_bytes((bytes(w - 1) + b"\x80") * k, "little")    # half sum_i z^i
-    def at_z(f): return int.from_bytes(b"".join((c + half).to_bytes(w, "little") for c in f), "little") - halves(len(f))
-    total = sum(at_z(a[:0:-1] + a) * at_z(b[:0:-1] + b) << 8 * w * (n + 1 - len(a) - len(b)) for a, b in pairs)
-    digits = (total + halves(2 * n - 1)).to_bytes(w * max(2 * n - 1, 0), "little")
-    return [int.from_bytes(digits[w * i:w * i + w], "little") - half for i in range(n - 1, 2 * n - 1)]
+        b0, b1, b2 = c * power + 2 * u * b0 - v * v * b1, b0, b1
+        power *= v
+    return Fraction(b0 - v * v * b2, max(power // v, 1))
 
-DERIVATIVES = {"exp": "w", "log": "1/u", "sin": "cos(u)", "cos": "-sin(u)"}
-OPERATORS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Pow: "^"}
-def formula(text):
-    """Nested tuples ("+", a, b), ("*", a, b), ("/", a, b), ("^", a, fraction), (function, a); names; fractions."""
-    names = []
-    def tree(node):
-        if isinstance(node, ast.BinOp) and type(node.op) in OPERATORS:
-            kind, a, b = OPERATORS[type(node.op)], tree(node.left), tree(node.right)
-            if kind == "^": return kind, a, as_polynomial(b, {}, {}).get((), Fraction(0))
-            return ("+", a, ("*", -ONE, b)) if kind == "-" else (kind, a, b)
-        if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub): return "*", -ONE, tree(node.operand)
-        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and len(node.args) == 1:
-            return names[int(node.func.id[1:])], tree(node.args[0])
-        if isinstance(node, ast.Name): return names[int(node.id[1:])]
-        if isinstance(node, ast.List) and len(node.elts) == 2: return "between", tree(node.elts[0]), tree(node.elts[1])
-        form(isinstance(node, ast.Constant) and type(node.value) is int, "'%s' is not understood" % text)
-        return Fraction(node.value)
-    code = re.sub(r"(?<!\w)" + NAME, lambda m: names.append(m.group()) or "n%d" % (len(names) - 1), text, 0, re.ASCII)
-    form(re.fullmatch(r"(n?\d+|(?!\*\*)[-+*/^()\[\], ])*", code, re.ASCII), "'%s' is not understood" % text)
-    return tree(ast.parse(code.strip().replace("^", "**"), mode="eval").body)
-# A polynomial in the variable (number 0) and the unknowns (1, 2, ...): {sorted tuple of numbers: coefficient}.
-def plus(a, b):
-    return {m: x for m in {**a, **b} if (x := a.get(m, 0) + b.get(m, 0))}
-def times(a, b):
-    form(len(a) * len(b) <= 10**6 and all(len(m) <= 400 for m in [*a, *b]), "a polynomial is too large")
-    return reduce(plus, [{tuple(sorted(m + k)): x * y for k, y in b.items()} for m, x in a.items()], {})
-def power(a, n):
-    form(0 <= n <= 100, "an exponent is out of range")
-    return times(a, power(a, n - 1)) if n else {(): ONE}
-def partial(a, k):
-    return {m[:m.index(k)] + m[m.index(k) + 1:]: x * m.count(k) for m, x in a.items() if k in m}
-def along(a, way):                                                 # the derivative of a, from those of its factors
-    return reduce(plus, [times(partial(a, k), f) for k, f in way.items()], {})
-def as_polynomial(tree, names, added):
-    """`names`: polynomials of the names; `added`: those of the added unknowns, by (kind, argument, exponent)."""
-    def find(kind, u, exponent=-ONE):
-        key = kind, frozenset(u.items()), exponent
-        form(key in added, "no added unknown is defined as the '%s' that an equation needs" % kind)
-        return added[key]
-    if isinstance(tree, Fraction): return {(): tree} if tree else {}
-    if isinstance(tree, str):
-        form(tree in names, "unknown name '%s'" % tree)
-        return names[tree]
-    kind, u = tree[0], as_polynomial(tree[1], names, added)
-    if kind in ("+", "*", "/"):
-        v = as_polynomial(tree[2], names, added)
-        if kind == "/": v = {(): 1 / v[()]} if set(v) == {()} else find("/", v)
-        return plus(u, v) if kind == "+" else times(u, v)
-    if kind != "^": return find(kind, u)
-    r = tree[2]
-    if r.denominator == 1:
-        inverse = {(): ONE / u[()]} if set(u) == {()} else find("/", u) if r < 0 else {}
-        return power(u, r.numerator) if r >= 0 else power(inverse, -r.numerator)
-    if abs(r.numerator) > 64 or r.denominator > 6: return find("^", u, r)
-    k = max(0, math.ceil(r))
-    return times(power(u, k), power(find("^", u, Fraction(-1, r.denominator)), k * r.denominator - r.numerator))
-class Enclosures:   # values of formulas as pairs (lower, upper) of fractions, to about `bits` bits behind the point
-    def __init__(self, bits): self.bits = bits
+
+def derivative(a):
+    """The derivative by x: T_k' = 2 k (T_(k-1) + T_(k-3) + ..), T_0 counted by half."""
+    return [sum(2 * k * a[k] for k in range(j + 1, len(a), 2)) for j in range(len(a) - 1)]
+
+
+def scaled(a, c):
+    return [c * x for x in a]
+
+
+def add(a, b):
+    longer = max(len(a), len(b))
+    return [x + y for x, y in zip(a + [0] * (longer - len(a)), b + [0] * (longer - len(b)))]
+
+
+def dot(u, v):
+    """The sum of u[i] v[i], by its value at a z = 256^width of more than twice its coefficients."""
+    pairs = [(a, b) for a, b in zip(u, v) if any(a) and any(b)]
+    size = max((len(a) + len(b) for a, b in pairs), default=1) - 1
+    width = (sum(norm(a) * norm(b) for a, b in pairs).bit_length() + 9) // 8
+    half = 1 << (8 * width - 1)
+
+    def halves(count):  # z/2 (1 + z + .. + z^(count-1)) makes coefficients positive
+        return int.from_bytes((bytes(width - 1) + b"\x80") * count, "little")
+
+    def at_z(a):
+        digits = b"".join((c + half).to_bytes(width, "little") for c in a)
+        return int.from_bytes(digits, "little") - halves(len(a))
+
+    total = halves(2 * size - 1)
+    for a, b in pairs:
+        product = at_z(a[:0:-1] + a) * at_z(b[:0:-1] + b)
+        total += product << (8 * width * (size + 1 - len(a) - len(b)))
+    digits = total.to_bytes(width * max(2 * size - 1, 0), "little")
+    places = range(width * (size - 1), width * (2 * size - 1), width)
+    return [int.from_bytes(digits[i:i + width], "little") - half for i in places]
+
+
+# ------------------------------------------------------------------------------------ Formulas
+#     sum     = product { (+|-) product }
+#     product = signed { (*|/) signed }
+#     signed  = - signed  |  atom [ ^ signed ]
+#     atom    = integer  |  name  |  name ( sum )  |  ( sum )
+#
+# A tree is a fraction, a name, ("+", [("+" or "-", tree), ..]), ("*", [("*" or "/", tree), ..]),
+# ("^", tree, fraction), or (name of a function, tree).
+
+TOKEN = re.compile(r"([0-9]+|[A-Za-z_][A-Za-z0-9_]*'*|[-+*/^()])")
+NUMBER = r"(-?)([0-9]+)(?:/([0-9]+)|(?:\.([0-9]+))?(?:e([-+]?[0-9]{1,5}))?)"
+RULES = {"exp": "w", "log": "1/u", "sin": "cos(u)", "cos": "-sin(u)"}  # dw/du of functions w of u
+
+
+class Parser:
+    """The tree of a formula, and the numbers of + - * / ^ and calls, and of ^ and calls."""
+
+    def __init__(self, text):
+        form(len(text) <= MOST_FORMULA, "a formula is too long")
+        self.text, self.nesting, self.operations, self.functions = text, 0, 0, 0
+        self.tokens = [match.group() for match in TOKEN.finditer(text)][::-1]
+        self.understood("".join(self.tokens[::-1]) == text.replace(" ", ""))
+        self.tree = self.sum()
+        self.understood(not self.tokens)
+
+    def understood(self, condition):
+        form(condition, "'%s' is not understood", self.text)
+
+    def skip(self, tokens):
+        """Passes the next token if it is one of these."""
+        if not self.tokens or self.tokens[-1] not in tokens:
+            return ""
+        self.operations += self.tokens[-1] in "+-*/^"
+        return self.tokens.pop()
+
+    def parts(self, part, signs):
+        found = [(signs[0], part())]
+        while sign := self.skip(signs):
+            found.append((sign, part()))
+        return found[0][1] if len(found) == 1 else (signs[0], found)
+
+    def sum(self):
+        return self.parts(self.product, "+-")
+
+    def product(self):
+        return self.parts(self.signed, "*/")
+
+    def signed(self):
+        self.nesting += 1
+        form(self.nesting <= MOST_NESTING, "a formula is nested too deeply")
+        if self.skip("-"):
+            tree = ("+", [("-", self.signed())])
+        else:
+            tree = self.atom()
+            if self.skip("^"):
+                self.functions += 1
+                exponent = Algebra().of(self.signed(), {}).get((), Fraction(0))  # has no names
+                form(size_in_bits(exponent) <= 1000, "an exponent is out of range")
+                tree = ("^", tree, exponent)
+        self.nesting -= 1
+        return tree
+
+    def atom(self):
+        self.understood(self.tokens)
+        token = self.tokens.pop()
+        if token.isdigit():
+            self.understood(token == "0" or token[0] != "0")
+            form(len(token) <= MOST_DIGITS, "a number has too many digits")
+            return Fraction(int(token))
+        self.understood(token not in "+-*/^)")
+        if token != "(" and not self.skip("("):
+            return token
+        tree = self.sum()
+        self.understood(self.skip(")"))
+        if token == "(":
+            return tree
+        self.operations, self.functions = self.operations + 1, self.functions + 1
+        return token, tree
+
+
+def fraction(text):
+    """A number such as -2/3, 25, -0.25 or 1.5e-7."""
+    match = re.fullmatch(NUMBER, text)
+    form(match, "'%s' is not a number", text)
+    sign, whole, below, decimals, exponent = match.groups(default="")
+    digits = max(len(whole) + len(decimals), len(below))
+    form(digits <= MOST_DIGITS, "a number has too many digits")
+    form(below == "" or int(below) > 0, "'%s' is not a number", text)
+    power = Fraction(10) ** (int(exponent or "0") - len(decimals))
+    return Fraction(int(sign + whole + decimals), int(below or "1")) * power
+
+
+class Values:
+    """Values of trees, by operations of polynomials or of intervals."""
+
     def of(self, tree, names):
-        if isinstance(tree, Fraction): return tree, tree
+        if isinstance(tree, Fraction):
+            return self.number(tree)
         if isinstance(tree, str):
-            form(tree in names or tree == "pi", "unknown name '%s'" % tree)
-            return names[tree] if tree in names else self.pi()
-        kind, (a, b) = tree[0], self.of(tree[1], names)
-        if kind in ("+", "*", "/", "between"):
-            c, d = self.of(tree[2], names)
-            need(kind != "/" or c > 0 or d < 0, "a start divides by 0")
-            c, d = (1 / d, 1 / c) if kind == "/" else (c, d)
-            four = (a, b, c, d) if kind == "between" else (a * c, a * d, b * c, b * d)
-            return (a + c, b + d) if kind == "+" else (min(four), max(four))
-        if kind in ("exp", "sin", "cos"):                      # |sin'|, |cos'| <= 1, and exp increases
-            low, high = self.entire(a, kind)
-            return (low, self.entire(b, kind)[1]) if kind == "exp" else (low - (b - a), high + (b - a))
-        r = tree[2] if kind == "^" else ONE
-        if kind == "^" and r.denominator == 1 and r >= 0:
-            form(r <= 10000, "an exponent is out of range")
-            low, high = sorted((a**r.numerator, b**r.numerator))
-            return low if r % 2 or a * b > 0 else Fraction(0), high
-        need(a > 0 and kind in ("^", "log"), "a start takes the '%s' of a number that is not positive" % kind)
-        low, high = sorted((r * self.log(a)[0], r * self.log(b)[1]))                                # a^r = exp(r log a)
-        return (low, high) if kind == "log" else (self.entire(low, "exp")[0], self.entire(high, "exp")[1])
-    def entire(self, x, kind):
-        """By terms x^j/j!: each has an error below 2 e^|x| units, the argument one of e^|x|, the rest is below 8."""
-        form(abs(x) < 1000, "a start has an argument that is too large")
+            form(tree in names, "unknown name '%s'", tree)
+            return names[tree]
+        kind, inside = tree[:2]
+        if kind == "+":
+            return self.sum([(Fraction(sign + "1"), self.of(x, names)) for sign, x in inside])
+        if kind == "*":
+            result = self.of(inside[0][1], names)
+            for sign, part in inside[1:]:
+                factor = self.of(part, names)
+                result = self.times(result, factor if sign == "*" else self.inverse(factor))
+            return result
+        argument = self.of(inside, names)
+        return self.power(argument, tree[2]) if kind == "^" else self.function(kind, argument)
+
+
+# ----------------------------------------------------------------- Polynomials in the unknowns
+# A polynomial in the variable (number 0) and the unknowns (1, 2, ..) is a dictionary {product: c}:
+# products are sorted tuples of numbers, in their order, c nonzero fractions.
+
+def collected(terms):
+    """The sum of terms (product, coefficient)."""
+    total = {}
+    for product, c in terms:
+        total[product] = limited(total.get(product, 0) + c)
+    return {product: c for product, c in sorted(total.items()) if c}
+
+
+class Algebra(Values):
+    """Values as polynomials. `added`: unknowns for (kind, argument, exponent), by definitions."""
+
+    def __init__(self):
+        self.products, self.added = 0, {}
+
+    def number(self, c):
+        return {(): c} if c else {}
+
+    def sum(self, parts):
+        return collected((m, sign * c) for sign, u in parts for m, c in u.items())
+
+    def times(self, a, b):
+        self.products += len(a) * len(b)
+        form(self.products <= MOST_PRODUCTS, "the polynomials have too many terms")
+        degree = max(map(len, a), default=0) + max(map(len, b), default=0)
+        form(degree <= MOST_FACTORS, "a term has too many factors")
+        pairs = ((m, x, k, y) for m, x in a.items() for k, y in b.items())
+        return collected((tuple(sorted(m + k)), x * y) for m, x, k, y in pairs)
+
+    def inverse(self, u):
+        return {(): 1 / u[()]} if set(u) == {()} else self.function("/", u)
+
+    def function(self, kind, u, exponent=Fraction(-1)):
+        key = kind, frozenset(u.items()), exponent
+        form(key in self.added, "no definition is the '%s' that a formula needs", kind)
+        return self.added[key]
+
+    def power(self, u, r):
+        """u^r by a whole power, by w = u^(-1/b) for r = a/b, or by an added unknown."""
+        a, b, k = r.numerator, r.denominator, max(0, math.ceil(r))
+        if b == 1:
+            return self.whole_power(u if a >= 0 else self.inverse(u), abs(a))
+        if abs(a) > 64 or b > 6:
+            return self.function("^", u, r)
+        w = self.function("^", u, Fraction(-1, b))
+        return self.times(self.whole_power(u, k), self.whole_power(w, k * b - a))
+
+    def whole_power(self, u, n):
+        form(n <= MOST_POWER, "an exponent is out of range")
+        result = {(): Fraction(1)}
+        for _ in range(n):
+            result = self.times(u, result)
+        return result
+
+    def along(self, u, way):
+        """The derivative of u by the chain rule, from those of its factors."""
+        terms = []
+        for k in sorted({k for product in u for k in product} & set(way)):
+            partial = {}
+            for m, c in u.items():
+                if k in m:
+                    at = m.index(k)
+                    partial[m[:at] + m[at + 1:]] = c * m.count(k)
+            terms += self.times(partial, way[k]).items()
+        return collected(terms)
+
+
+# ---------------------------------------------------------------- Enclosures of initial values
+# Values of formulas as pairs (lower, upper) of fractions, by interval arithmetic. The functions
+# are sums of their series in integers, times 2^-bits.
+
+class Enclosures(Values):
+    def __init__(self, bits):
+        self.bits = bits
+
+    def number(self, c):
+        return c, c
+
+    def sum(self, parts):
+        low = high = Fraction(0)
+        for sign, (a, b) in parts:
+            low = limited(low + (a if sign > 0 else -b))
+            high = limited(high + (b if sign > 0 else -a))
+        return low, high
+
+    def times(self, x, y):
+        four = [limited(a * b) for a in x for b in y]
+        return min(four), max(four)
+
+    def inverse(self, x):
+        need(x[0] > 0 or x[1] < 0, "a start divides by 0")
+        return 1 / x[1], 1 / x[0]
+
+    def power(self, x, r):
+        if r.denominator > 1 or r < 0:  # x^r = exp(r log x)
+            low, high = sorted(r * y for y in self.function("log", x))
+            return self.entire("exp", low)[0], self.entire("exp", high)[1]
+        form(r <= MOST_START_POWER, "an exponent is out of range")
+        form((max(map(size_in_bits, x)) - 1) * r <= MOST_NUMBER, "a number is too large")
+        low, high = sorted((x[0] ** r.numerator, x[1] ** r.numerator))
+        return (Fraction(0) if r % 2 == 0 and x[0] <= 0 <= x[1] else low), high
+
+    def function(self, kind, x):
+        form(kind in RULES, "unknown function '%s'", kind)
+        if kind == "log":
+            need(x[0] > 0, "a start has log or ^ of a number that is not positive")
+            return self.log(x[0])[0], self.log(x[1])[1]
+        low, high = self.entire(kind, x[0])
+        if kind == "exp":  # which increases
+            return low, self.entire(kind, x[1])[1]
+        return low - (x[1] - x[0]), high + (x[1] - x[0])  # |sin'|, |cos'| <= 1
+
+    def entire(self, kind, x):
+        """exp, sin or cos by terms x^j/j!, each with an error below 2 e^|x| units of 2^-bits;
+        that of the argument is one of e^|x|, the rest is below 8."""
+        form(abs(x) < MOST_ARGUMENT, "a start has an argument that is too large")
         bits = self.bits + 2 * math.ceil(abs(x)) + 40
-        factor, t = math.floor(x * two(bits)), [1 << bits]
-        while abs(t[-1]) > 1 or len(t) < 2 * abs(x) + 2:
-            t.append((t[-1] * factor >> bits) // len(t))
-        total = sum(t) if kind == "exp" else sum((-1)**k * c for k, c in enumerate(t[kind == "sin"::2]))
-        error = (2 * len(t) + 10) * 3**math.ceil(abs(x))
+        factor, terms = math.floor(x * two(bits)), [1 << bits]
+        while abs(terms[-1]) > 1 or len(terms) < 2 * abs(x) + 2:
+            terms.append((terms[-1] * factor >> bits) // len(terms))
+        own = terms[kind == "sin"::2]
+        total = sum(terms) if kind == "exp" else sum(own[::2]) - sum(own[1::2])
+        error = (2 * len(terms) + 10) * 3 ** math.ceil(abs(x))
         return (total - error) * two(-bits), (total + error) * two(-bits)
+
     def odd_series(self, z, sign):
-        """The sum of sign^j z^(2j+1)/(2j+1), |z| <= 1/3, and a bound of its error: 3 units a power, the rest."""
+        """The sum of sign^j z^(2j+1)/(2j+1), |z| <= 1/3; its error: 3 units a power, the rest."""
         bits = self.bits + 40
-        factor = p = math.floor(z * two(bits))
-        total = n = 0
-        while abs(p) > 1:
-            total, n, p = total + sign**n * (p // (2 * n + 1)), n + 1, (p * factor >> bits) * factor >> bits
-        return total * two(-bits), (4 * n + 16) * two(-bits)
+        factor = power = math.floor(z * two(bits))
+        total = count = 0
+        while abs(power) > 1:
+            total += sign**count * (power // (2 * count + 1))
+            count += 1
+            power = (power * factor >> bits) * factor >> bits
+        return total * two(-bits), (4 * count + 16) * two(-bits)
+
     def log(self, x):
         """log(2^k m) = 2 artanh((m - 1)/(m + 1)) + 2 k artanh(1/3), 1/2 <= m <= 2."""
         k = x.numerator.bit_length() - x.denominator.bit_length()
-        (a, da), (b, db) = self.odd_series((x - two(k)) / (x + two(k)), 1), self.odd_series(ONE / 3, 1)
-        return 2 * (a + k * b - da - abs(k) * db), 2 * (a + k * b + da + abs(k) * db)
-    def pi(self):                                  # 16 arctan(1/5) - 4 arctan(1/239)
-        (a, da), (b, db) = self.odd_series(ONE / 5, -1), self.odd_series(ONE / 239, -1)
-        return 16 * (a - da) - 4 * (b + db), 16 * (a + da) - 4 * (b - db)
+        a, error_a = self.odd_series((x - two(k)) / (x + two(k)), 1)
+        b, error_b = self.odd_series(Fraction(1, 3), 1)
+        middle, error = 2 * (a + k * b), 2 * (error_a + abs(k) * error_b)
+        return middle - error, middle + error
+
+    def pi(self):
+        """16 arctan(1/5) - 4 arctan(1/239)."""
+        a, error_a = self.odd_series(Fraction(1, 5), -1)
+        b, error_b = self.odd_series(Fraction(1, 239), -1)
+        middle, error = 16 * a - 4 * b, 16 * error_a + 4 * error_b
+        return middle - error, middle + error
+
+
+# ---------------------------------------------------------------------- Lines of a certificate
 
 class Reader:
-    def __init__(self, text): self.lines, self.at = text.split("\n"), 0
-    def line(self, word=None):                     # the fields of the next line, behind a word that it begins with
+    def __init__(self, text):
+        self.lines, self.at = text.split("\n"), 0
+
+    def next(self):
         form(self.at < len(self.lines), "the file ends early")
-        t = self.lines[self.at].split(" ") if self.lines[self.at] else []
         self.at += 1
-        form(word is None or t[:1] == [word], "line %d: '%s' expected" % (self.at, word))
-        return t if word is None else t[1:]
-    def all(self, word):                           # the lines that begin with a word
-        begins = lambda x: x.startswith(word + " ")
-        return [" ".join(self.line(word)) for _ in itertools.takewhile(begins, self.lines[self.at:])]
-    def integers(self, word, count):
-        t = self.line(word)
-        form(len(t) == count and all(re.fullmatch("-?[0-9]{1,5}", x, re.ASCII) for x in t),
-             "line %d: %d integers of at most 5 digits expected" % (self.at, count))
-        return [int(x) for x in t]
-    def section(self, word, exponents, lists):     # a line with exponents, and lists of integers
-        k, found = self.integers(word, exponents), [self.line() for _ in range(lists)]
-        form(all(re.fullmatch("-?[0-9a-f]+", x, re.ASCII) for t in found for x in t), "'%s': bad coefficients" % word)
-        return k, [[int(x, 16) for x in t] for t in found]
-def fraction(text):
-    form(re.fullmatch(r"-?\d+(/0*[1-9]\d*|(\.\d+)?(e[-+]?\d{1,5})?)", text, re.ASCII), "'%s' is not a number" % text)
-    return Fraction(text)
-class Problem:      # the head of a certificate: equations, their polynomial form, enclosures of the start, claims
-    def __init__(self, r):
-        form(r.line("libration-certificate") == ["1"], "not a certificate of version 1")
-        self.variable, self.t0 = " ".join(r.line("variable")), fraction(" ".join(r.line("at")))
-        self.equations = [x.split(" = ") for x in r.all("equation")]
-        form(all(len(x) == 2 and x[0][-1:] == "'" for x in self.equations), "an unclear equation")
-        self.state = [x[:len(x) - k] for x, _ in self.equations for k in range(x.count("'"), 0, -1)]
-        self.starts, self.vary = r.all("start"), r.all("vary")
-        defined, own = [x.split(" = ") for x in r.all("define")], self.state
-        names = [self.variable] + own + [x[0] for x in defined]
-        form(all(re.fullmatch(NAME, x, re.ASCII) for x in names) and len(self.starts) == len(own)
-             and len(set(names)) == len(names) and self.vary in [[]] + [[x] for x in own], "names that do not match")
-        self.state = own + ["d(%s)" % x for x in own if self.vary]
-        self.condition, (self.bits, start_bits) = r.all("condition"), r.integers("bits", 2)
-        form(16 <= self.bits <= start_bits, "the numbers of bits are out of range")
-        self.zeros = {"#%d" % (k + 1): x.split(" ") for k, x in enumerate(r.all("zero"))}
-        form(len(self.condition) == min(len(self.zeros), 1), "there are zeros without a condition, or two conditions")
-        self.ends = [self.t0] + [fraction(t) for first, last in self.zeros.values() for t in (first, last)]
-        self.claims = [x.split(" ") for x in r.all("claim")]
-        form(self.claims and all(len(x) == 4 and x[1] in self.state for x in self.claims), "an unclear claim")
-        for t in [[fraction(y) for y in x[0].split(":")] for x in self.claims if x[0] not in self.zeros]:
-            form(len(t) == 1 or len(t) == 2 and self.vary and (t[0] - self.t0) * (t[1] - t[0]) >= 0, "an unclear time")
-        (self.steps,), names[1:len(own) + 1] = r.integers("steps", 1), self.state
-        self.make_polynomial_form(names, [(name, formula(text)) for name, text in defined], Enclosures(start_bits))
-    def make_polynomial_form(self, names, defined, values):
-        """right[i] with y_(i+1)' = right[i], by the chain rule if i is not given, and enclosures of the start."""
-        own = {x: {(k,): ONE} for k, x in enumerate(names)}
-        start, added, arguments = {self.variable: (self.t0, self.t0)}, {}, []
-        start.update({name: values.of(formula(text), {}) for name, text in zip(self.state, self.starts)})
-        start.update({x: (Fraction(x == "d(%s)" % self.vary[0]),) * 2 for x in self.state if x not in start})
-        for name, tree in defined:
-            form(type(tree) is tuple and (tree[0] in DERIVATIVES or tree[0] == "^" or tree[:2] == ("/", ONE)),
-                 "%s is not defined as a function" % name)
-            u = as_polynomial(tree[2 if tree[0] == "/" else 1], {x: own[x] for x in start}, added)
-            arguments.append((tree[0], tree[2] if tree[0] == "^" else -ONE, u, name))
-            added[tree[0], frozenset(u.items()), arguments[-1][1]] = own[name]
-            start[name] = values.of(tree, start)
-        self.start, self.functions, self.sign, right = [start[x] for x in names[1:]], [], 0, []
-        for name, text in self.equations:
-            right += [own[name[:len(name) - k]] for k in range(name.count("'") - 1, 0, -1)]
-            right.append(as_polynomial(formula(text), own, added))
-        flow = dict(enumerate([{(): ONE}] + right))                # the derivatives by the time, and those by a start
-        vary = {k + 1: own["d(%s)" % names[k + 1]] for k, _ in enumerate(right) if self.vary}
-        for kind, r, u, name in arguments:
-            rule = "(%s)*w" % r + ("^%d" % (r.denominator + 1) if r.numerator == -1 else "/u")          # for powers
-            slope = as_polynomial(formula(DERIVATIVES.get(kind, rule)), {"u": u, "w": own[name]}, added)
-            for way in flow, vary: way[names.index(name)] = times(slope, along(u, way))
-        flow.update({len(right) + k: along(f, vary) for k, f in enumerate(right, 1) if self.vary})
-        self.right = [flow[k] for k in range(1, len(names))]
-        for g in [as_polynomial(formula(text), own, added) for text in self.condition]:
-            exact = all(start[names[l]][0] == start[names[l]][1] for m in g for l in m)
-            self.zero_start = exact and sum(c * math.prod(start[names[l]][0] for l in m) for m, c in g.items()) == 0
-            self.functions = [g, along(g, flow)]
+        return self.lines[self.at - 1]
+
+    def line(self, word):
+        """What follows the word that the next line begins with."""
+        line = self.next()
+        begins = line == word or line.startswith(word + " ")
+        form(begins, "line %d: '%s' expected" % (self.at, word))
+        return line[len(word) + 1:]
+
+    def all(self, word, most):
+        """The same of all next lines that begin with the word."""
+        end = self.at
+        while end < len(self.lines) and self.lines[end].startswith(word + " "):
+            end += 1
+        form(end - self.at <= most, "there are more than %d lines '%s'" % (most, word))
+        found = [line[len(word) + 1:] for line in self.lines[self.at:end]]
+        self.at = end
+        return found
+
+    def integers(self, word, count, largest=99_999):
+        fields = self.line(word).split(" ")
+        good = len(fields) == count and all(re.fullmatch("-?[0-9]{1,5}", x) for x in fields)
+        form(good, "line %d: %d integers of at most 5 digits expected" % (self.at, count))
+        form(all(abs(int(x)) <= largest for x in fields), "line %d: out of range" % self.at)
+        return [int(x) for x in fields]
+
+    def coefficients(self):
+        """A list of integers in hexadecimal digits."""
+        line = self.next()
+        good = re.fullmatch("|-?[0-9a-f]+(?: -?[0-9a-f]+)*", line)
+        form(good, "line %d: bad coefficients" % self.at)
+        return [int(x, 16) for x in line.split(" ")] if line else []
+
+    def section(self, word, exponents, lists):
+        """A line with exponents, and lists of integers."""
+        k = self.integers(word, exponents, MOST_EXPONENT)
+        return k, [self.coefficients() for _ in range(lists)]
+
+
+# ----------------------------------------------------------------------- Head of a certificate
+# A statement shows equations, starts and a condition as they are typed. They say what they seem to
+# say, because each name has one meaning: names of the variable and of unknowns are no functions,
+# not pi, and have no primes, which are derivatives; definitions are _1, _2, .., names of nothing
+# else. Equations and the condition contain the variable and the unknowns, definitions also those
+# before them, starts only pi.
+
+class Claim:
+    """LOW <= NAME(TIME) <= HIGH, for all times from `first` to `last`."""
+
+    def __init__(self, text, problem):
+        self.fields = text.split(" ")
+        form(len(self.fields) == 4 and self.fields[1] in problem.state, "an unclear claim")
+        self.time, self.name, low, high = self.fields
+        if self.time in problem.zero_names:
+            self.first, self.last = problem.zero_names[self.time]
+        else:
+            ends = self.time.split(":")
+            self.first, self.last = fraction(ends[0]), fraction(ends[-1])
+            behind = (self.first - problem.t0) * (self.last - self.first) >= 0
+            form(len(ends) == 1 or len(ends) == 2 and problem.vary and behind, "an unclear time")
+        self.low, self.high = fraction(low), fraction(high)
+
+
+class Problem:
+    def __init__(self, reader):
+        form(reader.line("libration-certificate") == "1", "not a certificate of version 1")
+        self.variable, self.t0_text, self.names = reader.line("variable"), reader.line("at"), []
+        self.add_name(self.variable)
+        self.t0 = fraction(self.t0_text)
+        self.read_equations(reader)
+        self.defined = [x.split(" = ") for x in reader.all("define", MOST_DEFINITIONS)]
+        good = all(x[0] == "_%d" % k and len(x) == 2 for k, x in enumerate(self.defined, 1))
+        form(good, "the definitions are not of _1, _2, ..")
+        self.condition = (reader.all("condition", 1) or [None])[0]
+        self.bits, self.start_bits = reader.integers("bits", 2)
+        good = 16 <= self.bits <= self.start_bits <= MOST_BITS
+        form(good, "the numbers of bits are out of range")
+        self.read_zeros_and_claims(reader)
+        (self.steps,) = reader.integers("steps", 1)
+        good = len(self.state) + len(self.defined) <= MOST_UNKNOWNS
+        form(good, "there are too many unknowns")
+        make_polynomial_form(self)
+
+    def add_name(self, name):
+        good = re.fullmatch("[A-Za-z_][A-Za-z0-9_]*", name) and not re.fullmatch("_[0-9]+", name)
+        form(good and name not in (*RULES, "sqrt", "pi"), "'%s' cannot be a name", name)
+        form(name not in self.names, "two meanings of the name '%s'", name)
+        self.names.append(name)
+
+    def read_equations(self, reader):
+        """Sets `equations`; `state`, the names of the unknowns; and their starts."""
+        self.equations, self.state = [], []
+        for line in reader.all("equation", MOST_UNKNOWNS):
+            sides = line.split(" = ")
+            name = sides[0].rstrip("'")
+            order = len(sides[0]) - len(name)
+            form(len(sides) == 2 and order > 0, "an unclear equation")
+            self.add_name(name)
+            form(len(self.state) + order <= MOST_UNKNOWNS, "there are too many unknowns")
+            self.state += [name + "'" * k for k in range(order)]
+            self.equations.append(tuple(sides))
+        self.starts = reader.all("start", MOST_UNKNOWNS)
+        form(len(self.starts) == len(self.state), "not one start for each unknown")
+        self.vary = (reader.all("vary", 1) or [None])[0]
+        form(self.vary in [None] + self.state, "the line 'vary' has no unknown")
+        if self.vary is not None:
+            self.state = self.state + ["d(%s)" % name for name in self.state]
+
+    def read_zeros_and_claims(self, reader):
+        self.zeros = [line.split(" ") for line in reader.all("zero", MOST_ZEROS)]
+        form(all(len(zero) == 2 for zero in self.zeros), "an unclear zero")
+        form((self.condition is None) == (self.zeros == []), "a condition or zeros alone")
+        self.ends = [self.t0] + [fraction(time) for zero in self.zeros for time in zero]
+        pairs = list(zip(self.ends, self.ends[1:]))
+        self.zero_names = {"#%d" % (k // 2 + 1): pairs[k] for k in range(1, len(pairs), 2)}
+        ordered = all((b - a) * (self.ends[-1] - self.t0) >= 0 for a, b in pairs)
+        need(ordered, "the zeros are not in the order of the steps")
+        self.claims = [Claim(line, self) for line in reader.all("claim", MOST_CLAIMS)]
+        form(self.claims, "there is no claim")
+        for side in "first", "last":
+            distances = [abs(getattr(x, side) - self.t0) for x in self.claims]
+            form(distances == sorted(distances), "the claims are not in the order of their times")
+        times, names = [{getattr(x, part) for x in self.claims} for part in ("time", "name")]
+        good = len(times) == 1 and len(names) == len(self.claims)
+        form(self.vary is None or good, "derivatives at several times, or twice")
+
     def head(self, times):
-        ends = sorted([str(self.t0), *times], key=fraction)
-        starts = ",  ".join("%s(%s) = %s" % (x, self.t0, y) for x, y in zip(self.state, self.starts))
-        equations = ",  ".join("%s = %s" % tuple(x) for x in self.equations)
-        return "solution of\n    %s,\n    %s\nexists on [%s, %s], and\n" % (equations, starts, ends[0], ends[-1])
+        """The problem in words, on an interval that has all these times."""
+        ends = sorted([self.t0_text, *times], key=fraction)
+        equations = ",  ".join("%s = %s" % sides for sides in self.equations)
+        at = self.t0_text
+        starts = ",  ".join("%s(%s) = %s" % (x, at, y) for x, y in zip(self.state, self.starts))
+        parts = equations, starts, ends[0], ends[-1]
+        return "solution of\n    %s,\n    %s\nexists on [%s, %s], and\n" % parts
+
     def statement(self):
-        need(not self.vary, "derivatives without a root")
-        times = [x[0] for x in self.claims if x[0] not in self.zeros]
-        text = "The " + self.head(sum(self.zeros.values(), []) + times)
-        for g in self.condition:
-            last, all_of_them = self.zeros["#%d" % len(self.zeros)][1], ", ".join(self.zeros)
-            text += "%s = 0 from %s, excluded, to %s only at %s, and\n" % (g, self.t0, last, all_of_them)
-        zeros = ["    %s lies in [%s, %s]" % (k, *sorted(x, key=fraction)) for k, x in self.zeros.items()]
-        return text + ",\n".join(zeros + ["    {1}({0}) lies in [{2}, {3}]".format(*x) for x in self.claims]) + "."
-def matrix(n, entry): return [[entry(i, j) for j in range(n)] for i in range(n)]
-def size_of(a, rows, columns): return root_up(sum(a[i][j]**2 for i in rows for j in columns))  # at least the norm
+        need(self.vary is None, "derivatives without a root")
+        times = [time for zero in self.zeros for time in zero]
+        text = "The " + self.head(times + [x.time for x in self.claims if x.time[0] != "#"])
+        if self.condition is not None:
+            parts = self.condition, self.t0_text, self.zeros[-1][1], ", ".join(self.zero_names)
+            text += "%s = 0 from %s, excluded, to %s only at %s, and\n" % parts
+        zeros = [sorted(zero, key=fraction) for zero in self.zeros]
+        facts = ["    %s lies in [%s, %s]" % (x, *ends) for x, ends in zip(self.zero_names, zeros)]
+        facts += ["    {1}({0}) lies in [{2}, {3}]".format(*x.fields) for x in self.claims]
+        return text + ",\n".join(facts) + ".\nThe variable is %s." % self.variable
 
-class Step:         # polynomials of the scaled unknowns and their frame, brought to one exponent each
-    def __init__(self, r, problem, begin):
-        self.n, self.problem, self.begin = n, problem, begin = len(problem.right), problem, begin
-        (k,), ((h,),) = r.section("step", 1, 1)
-        self.length = h * two(-k)
-        form(h != 0, "the length is 0")
-        self.scales, sizes = r.integers("scale", n), r.line("blocks")
-        form(set(sizes) <= {"1", "2"} and sum(map(int, sizes)) == n, "the blocks are not of 1 and 2 columns")
-        at = [sum(map(int, sizes[:b])) for b in range(len(sizes) + 1)]
-        self.blocks = [range(*x) for x in zip(at, at[1:])]
-        (self.kp,), self.p = r.section("p", 1, n)
-        (kv, v), (ku, u) = r.section("V", n, n * n), r.section("U", n, n * n)
+
+# ----------------------------------------------------------------------------- Polynomial form
+# Quotients, powers that are not whole, and functions are added unknowns w of u, a polynomial. Then
+# the equations are polynomials; that of w is u' times dw/du, which is a polynomial in w and further
+# added unknowns. As long as the solution of this system exists, it is that of the equations.
+
+def definition(tree):
+    """Kind, argument and exponent of an added unknown."""
+    kind, inside = tree[:2] if isinstance(tree, tuple) else ("", [])
+    if kind == "*" and [sign for sign, _ in inside] == ["*", "/"] and inside[0][1] == Fraction(1):
+        return "/", inside[1][1], Fraction(-1)
+    form(kind == "^" or kind in RULES, "a definition is not that of a function")
+    return tree if kind == "^" else (*tree, Fraction(-1))
+
+
+def enclosed_starts(problem, values):
+    """The interval of each start."""
+    parsed, functions = [], 0
+    for text in problem.starts:
+        bracketed = text.startswith("[") and text.endswith("]")
+        texts = text[1:-1].split(", ") if bracketed else [text]
+        form(len(texts) == 1 + bracketed, "'%s' is not understood", text)
+        parsers = [Parser(x) for x in texts]
+        parsed.append([parser.tree for parser in parsers])
+        operations = sum(parser.operations for parser in parsers)
+        functions += sum(parser.functions for parser in parsers)
+        form(max(operations, functions) <= MOST_OPERATIONS, "the starts have too many operations")
+    names = {"pi": values.pi()} if "pi" in " ".join(problem.starts) else {}
+    enclosed = [list(zip(*[values.of(tree, names) for tree in trees])) for trees in parsed]
+    return [(min(low), max(high)) for low, high in enclosed]
+
+
+def make_polynomial_form(problem):
+    """Sets `start`, the enclosures of unknowns; `right`, their derivatives; `functions`, g, g'."""
+    algebra, values = Algebra(), Enclosures(problem.start_bits)
+    given, count = len(problem.state), len(problem.starts)
+    unknowns = [{(k,): Fraction(1)} for k in range(1 + given + len(problem.defined))]
+    names = dict(zip([problem.variable] + problem.state[:count], unknowns))
+    start = enclosed_starts(problem, values)
+    known = dict(zip(names, [(problem.t0, problem.t0)] + start))
+    for name in problem.state[count:]:  # derivatives by the start of `vary`
+        start.append((Fraction(name == "d(%s)" % problem.vary),) * 2)
+    definitions, in_definitions = [], dict(names)
+    for (name, text), w in zip(problem.defined, unknowns[given + 1:]):
+        tree = Parser(text).tree
+        kind, argument, exponent = definition(tree)
+        u = algebra.of(argument, in_definitions)
+        algebra.added[kind, frozenset(u.items()), exponent] = w
+        definitions.append((kind, exponent, u, w))
+        start.append(values.of(tree, known))
+        in_definitions[name], known[name] = w, start[-1]
+    right = []
+    for left, text in problem.equations:
+        name = left.rstrip("'")
+        right += [names[name + "'" * k] for k in range(1, left.count("'"))]
+        right.append(algebra.of(Parser(text).tree, names))
+    flow = dict(enumerate([{(): Fraction(1)}] + right))  # derivatives by the time
+    by_start = {k: unknowns[count + k] for k in range(1, count + 1) if problem.vary is not None}
+    for k, (kind, exponent, u, w) in enumerate(definitions, given + 1):
+        rule = "w^%d" % (exponent.denominator + 1) if exponent.numerator == -1 else "w/u"
+        slope = algebra.of(Parser(RULES.get(kind, rule)).tree, {"u": u, "w": w})
+        slope = slope if kind in RULES else algebra.sum([(exponent, slope)])
+        flow[k] = algebra.times(slope, algebra.along(u, flow))
+        by_start[k] = algebra.times(slope, algebra.along(u, by_start))
+    for k in range(count + 1, given + 1):
+        flow[k] = algebra.along(right[k - count - 1], by_start)
+    problem.start, problem.right = start, [flow[k] for k in range(1, len(unknowns))]
+    problem.functions, problem.zero_start = [], False
+    if problem.condition is not None:
+        g = algebra.of(Parser(problem.condition).tree, names)
+        problem.functions = [g, algebra.along(g, flow)]
+        ends = [known[problem.variable]] + start
+        exact = all(ends[k][0] == ends[k][1] for m in g for k in m)
+        at_start = sum(c * math.prod(ends[k][0] for k in m) for m, c in g.items())
+        problem.zero_start = exact and at_start == 0
+
+
+# --------------------------------------------------------------------------------------- Steps
+# Theorem K. On a step t = s + (1 + x) h/2, -1 <= x <= 1, let y_i = 2^e_i Y_i and Y' = g(x, Y). Let
+# p be polynomials, V an invertible matrix of polynomials, its columns in blocks b of one or two,
+# and r_b(x) >= 0 affine, R0 at x = -1 and R1 at x = 1. If
+#     the set in which the step begins is in the tube {p + V c, |c_b| <= r_b} at x = -1, and
+#     (R1_b - R0_b)/2 >= sum_c A_bc r_c + D_b   for r = R0 and for r = R1,
+# where in the tube A_bc >= ||B_bc|| for b != c, A_bb is at least the largest eigenvalue of the
+# symmetric part of B_bb, B = V^-1 (g_Y V - V'), and D_b >= |V^-1 (p' - g(x, p))|_b, then every
+# solution that begins in the set exists on the whole step and is in the tube.
+#
+# Bounds are integers in units of 2^-bits, rounded up. A set is (centre, frame, blocks, radii).
+
+PARTS = 8  # of a step, on each of which the rate of a block is bounded
+
+
+def matrix(n, entry):
+    return [[entry(i, j) for j in range(n)] for i in range(n)]
+
+
+def root_up(x):
+    """An integer that is at least the root of the integer x."""
+    return math.isqrt(x - 1) + 1 if x > 0 else 0
+
+
+def size_of(a, rows, columns):
+    """At least the norm of a block of bounds."""
+    return root_up(sum(a[i][j] ** 2 for i in rows for j in columns))
+
+
+class Step:
+    """The numbers of a step, of the scaled unknowns, with one exponent for each matrix."""
+
+    def __init__(self, reader, problem, begin):
+        self.problem, self.begin, self.bits = problem, begin, problem.bits
+        self.n = n = len(problem.right)
+        (k,), (length,) = reader.section("step", 1, 1)
+        form(len(length) == 1 and length[0] != 0, "the length is not one integer, not 0")
+        self.length, self.scales = length[0] * two(-k), reader.integers("scale", n)
+        sizes = reader.line("blocks").split(" ")
+        good = set(sizes) <= {"1", "2"} and sum(map(int, sizes)) == n
+        form(good, "the blocks are not of 1 and 2 columns")
+        ends = [0, *itertools.accumulate(map(int, sizes))]
+        self.blocks = [range(*pair) for pair in zip(ends, ends[1:])]
+        (self.kp,), self.p = reader.section("p", 1, n)
+        kv, V = reader.section("V", n, n * n)
+        ku, U = reader.section("U", n, n * n)
         self.kv, self.ku = max(0, *kv), max(0, *ku)
-        self.V = matrix(n, lambda i, j: scaled(v[i * n + j], 1 << self.kv - kv[j]))
-        self.U = matrix(n, lambda i, j: scaled(u[i * n + j], 1 << self.ku - ku[i]))
-        k, (first, last) = r.section("radii", len(sizes), 2)
-        form(len(first) == len(last) == len(sizes) and min(first + last) >= 0, "the radii are not numbers >= 0")
-        self.R0, self.R1 = [[self.up(m * two(-e)) for m, e in zip(x, k)] for x in (first, last)]
-    def up(self, x): return math.ceil(x * (1 << self.problem.bits))
-    def bound(self, a, k): return self.up(norm(a) * two(-k))  # of |2^-k a(x)|
-    def times(self, a, b):                         # the product of two matrices of bounds
-        return [[-(-sum(x * y for x, y in zip(row, column)) >> self.problem.bits) for column in zip(*b)] for row in a]
-    def check(self, old):
-        n, V = self.n, self.V
-        Z = matrix(n, lambda i, j: add(dot(self.U[i], [row[j] for row in V]), [-(i == j) << self.ku + self.kv]))
-        z = [[self.bound(a, self.ku + self.kv) for a in row] for row in Z]
-        one, q = 1 << self.problem.bits, max(map(sum, z))
-        need(2 * q <= one, "frame: U is not nearly the inverse of V")
-        zz = [-(-(sum(row) << self.problem.bits) // (one - q)) for row in self.times(z, z)]
-        self.N1 = matrix(n, lambda i, j: z[i][j] + zz[i] + one * (i == j))            # V^-1 = M U, |M| <= N1
-        self.check_joint(old)
-        delta, J, DJ, size, Q, k = self.field()
-        kb = self.ku + self.kv + k
-        H = matrix(n, lambda i, j: add(dot(J[i], [row[j] for row in V]), scaled(derivative(V[i][j]), -Q << k)))
-        B = matrix(n, lambda i, j: dot(self.U[i], [row[j] for row in H]))
-        bound = [[self.up(norm(a) / (Q * two(kb))) for a in row] for row in B]
-        C = self.times([[self.bound(a, self.ku) for a in row] for row in self.U], self.times(DJ, size))
-        C = self.times(self.N1, [[x + y for x, y in zip(*rows)] for rows in zip(bound, C)])
-        more = matrix(n, lambda i, j: C[i][j] - bound[i][j])                            # |V^-1(..) - B| in the tube
-        rates = [self.rate(B, rows, Q * two(kb)) + size_of(more, rows, rows) for rows in self.blocks]
-        for end, r in (("left", self.R0), ("right", self.R1)):
-            for b, rows in enumerate(self.blocks):
-                growth = size_of(delta, rows, range(1)) << self.problem.bits
-                growth += sum((rates[b] if c == b else size_of(C, rows, columns)) * r[c]
-                              for c, columns in enumerate(self.blocks))
-                need(2 * growth <= self.R1[b] - self.R0[b] << self.problem.bits,
-                     "growth of the radius of block %d at the %s end" % (b + 1, end))
-    def rate(self, B, rows, unit):                 # at least the largest eigenvalue of the symmetric part of a block
-        def above(a):
-            slope = Fraction(norm(derivative(a)), PARTS)
-            return [self.up((value(a, Fraction(2 * k + 1 - PARTS, PARTS)) + slope) / unit) for k in range(PARTS)]
-        i = rows[0]
-        if len(rows) == 1:
-            return min(self.up(norm(B[i][i]) / unit), max(above(B[i][i])))
-        a, d, mixed = above(B[i][i]), above(B[i + 1][i + 1]), add(B[i][i + 1], B[i + 1][i])
-        c = [max(abs(x), abs(y)) for x, y in zip(above(mixed), above(scaled(mixed, -1)))]
-        return max(-(-(x + y + root_up((x - y)**2 + w * w)) // 2) for x, y, w in zip(a, d, c))
-    def check_joint(self, old):                    # {centre + frame e}, in which the step begins, is in its tube
-        centre, frame, blocks, radii = old
-        R, U = range(self.n), [[value(a, -ONE) * two(-self.ku) for a in row] for row in self.U]
-        gap = [centre[i] * two(-self.scales[i]) - value(self.p[i], -ONE) * two(-self.kp) for i in R]
-        F = [[x * two(-self.scales[i]) for x in frame[i]] for i in R]
-        turned = self.times(self.N1, matrix(self.n, lambda i, j: self.up(abs(sum(U[i][l] * F[l][j] for l in R)))))
-        moved = self.times(self.N1, [[self.up(abs(sum(U[i][l] * gap[l] for l in R)))] for i in R])
-        for b, rows in enumerate(self.blocks):
-            total = size_of(moved, rows, range(1)) << self.problem.bits
-            total += sum(size_of(turned, rows, columns) * r for columns, r in zip(blocks, radii))
-            need(total <= self.R0[b] << self.problem.bits, "start or joint: radius of block %d" % (b + 1))
-    def field(self):
-        """Bounds of V^-1 (p' - f), J = f_y(p) in units of 1/(Q 2^k), bounds of its change in the tube, and of V."""
-        n, right, e = self.n, self.problem.right + self.problem.functions, [0] + self.scales
-        unit = [self.length / 2 * two(-x) for x in self.scales] + [ONE, self.length / 2]
-        time = [self.begin + self.length / 2, self.length / 4]
-        q = math.lcm(*[x.denominator for x in time if any(0 in m for f in right for m in f)])
-        kp = max(self.kp, q.bit_length())
-        p = [[math.floor(x * q) << kp for x in time]] + [scaled(a, 1 << kp - self.kp) for a in self.p]
-        terms = [(i, m, c * unit[i] / q**m.count(0) * two(sum(e[l] for l in m)))
-                 for i, f in enumerate(right) for m, c in f.items()]                    # of f in scaled unknowns
-        Q, most = math.lcm(*[c.denominator for _, _, c in terms]), max([len(m) for _, m, _ in terms] + [1])
-        @cache
-        def product(m):
-            return dot([product(m[:-1])], [p[m[-1]]]) if m else [1]
-        d, J = [scaled(derivative(a), Q << (most - 1) * kp) for a in p[1:]] + [[], []], matrix(n, lambda i, j: [])
-        size = [[self.bound(a, self.kv) for a in row] for row in self.V]
-        radii = [max(x) for x in zip(self.R0, self.R1)]
-        rho = [0] + [-(-sum(size_of([row], [0], rows) * r for rows, r in zip(self.blocks, radii)) >> self.problem.bits)
-                     for row in size]
-        reach, DJ, Dg = [self.bound(a, kp) for a in p], matrix(n, lambda i, j: 0), [ONE, ONE]
-        def change(m):                             # in the tube, of a product of factors
-            larger = math.prod(reach[x] + rho[x] for x in m) - math.prod(reach[x] for x in m)
-            return Fraction(larger, 1 << self.problem.bits * len(m))
-        for i, m, c in terms:
-            d[i] = add(d[i], scaled(product(m), -int(c * Q) << (most - len(m)) * kp))
-            if i >= n:
-                Dg[i - n] += self.up(abs(c) * change(m))
-            for at, l in enumerate(m):
-                if l and i < n:
-                    rest = m[:at] + m[at + 1:]
-                    J[i][l - 1] = add(J[i][l - 1], scaled(product(rest), int(c * Q) << (most - len(m)) * kp))
-                    DJ[i][l - 1] += self.up(abs(c) * change(rest))
-        self.functions = [(scaled(a, -1), norm(derivative(a)), x * Q * two(most * kp - self.problem.bits))
-                          for a, x in zip(d[n:], Dg)]
-        turned = [[self.up(norm(dot(row, d)) / (Q * two(self.ku + most * kp)))] for row in self.U]
-        return self.times(self.N1, turned), J, DJ, size, Q, (most - 1) * kp
-    def at(self, x):                               # the set at x: centre, frame, blocks and radii
-        return ([value(a, x) * two(e - self.kp) for a, e in zip(self.p, self.scales)],
-                [[value(a, x) * two(e - self.kv) for a in row] for row, e in zip(self.V, self.scales)], self.blocks,
-                [math.ceil(a + (b - a) * (x + 1) / 2) for a, b in zip(self.R0, self.R1)])
-    def places(self, times): return [2 * (t - self.begin) / self.length - 1 for t in times]  # as values of x
-    def check_claim(self, claim):                  # true if its last time is in the step: its interval has the tube
-        times = self.places(map(fraction, self.problem.zeros.get(claim[0], claim[0].split(":"))))
-        u, v = max(times[0], -ONE), min(times[-1], ONE)
-        if u > v: return False
-        i, d, (centre, frame, blocks, radii) = self.problem.state.index(claim[1]), (v - u) / 2, self.at((u + v) / 2)
-        slopes, unit = [norm(derivative(a)) * d for a in [self.p[i]] + self.V[i]], two(self.scales[i])
-        row = [[self.up(abs(a) + b * unit * two(-self.kv)) for a, b in zip(frame[i], slopes[1:])]]
-        radii = [r + math.ceil(abs(b - a) * d / 2) for r, a, b in zip(radii, self.R0, self.R1)]
-        reach = sum(size_of(row, [0], rows) * r for rows, r in zip(blocks, radii)) * two(-2 * self.problem.bits)
-        reach += slopes[0] * unit * two(-self.kp)
-        need(fraction(claim[2]) <= centre[i] - reach and centre[i] + reach <= fraction(claim[3]),
-             "the value of %s at %s is not proved to be in its interval" % (claim[1], claim[0]))
-        return times[-1] <= 1
-    def sure(self, k, u, v):                       # the sign on [u, v] of the condition, k = 0, or of its derivative,
-        a, slope, reach = self.functions[k]        # if the middle and a bound of the slope prove it, or 0
-        y = value(a, (u + v) / 2)
-        return (y > 0) - (y < 0) if abs(y) > slope * (v - u) / 2 + reach else 0
-    def sign(self, u, v):
-        """The sign of the condition on [u, v], but for a zero at the start, by halves; 0 if it is not proved."""
-        way, starts = self.sure(1, u, v), self.problem.zero_start and self.begin == self.problem.t0 and u == -1
-        left = way if starts else self.sure(0, u, u)
-        if left == self.sure(0, v, v) and (way or self.sure(0, u, v)):
-            return left
-        s = self.functions[0][1] * (v - u) > self.functions[0][2] and self.sign(u, (u + v) / 2)
-        return s and s * (s == self.sign((u + v) / 2, v))
-    def check_zeros(self):                         # true if the last one is before the end of the step
-        ends = self.places(self.problem.ends)
-        need(ends == sorted(ends), "the zeros are not in the order of the steps")
-        for k, (u, v) in enumerate(zip(ends, ends[1:] + ends[-1:])):
-            u, v = max(u, -ONE), min(v, ONE)
-            if u <= v:                             # signs alternate, those of the derivative at zeros too
-                s = (-1)**((k + 1) // 2) * (self.sure(1, u, v) if k % 2 else self.sign(u, v))
-                need(s and self.problem.sign in (0, s), "the sign of the condition in its interval %d" % (k + 1))
-                self.problem.sign = s
-        return ends[-1] <= 1
+        self.V = matrix(n, lambda i, j: scaled(V[i * n + j], 1 << (self.kv - kv[j])))
+        self.U = matrix(n, lambda i, j: scaled(U[i * n + j], 1 << (self.ku - ku[i])))
+        exponents, radii = reader.section("radii", len(sizes), 2)
+        good = all(len(r) == len(sizes) and min(r) >= 0 for r in radii)
+        form(good, "the radii are not numbers >= 0")
+        self.R0, self.R1 = [[self.up(m * two(-e)) for m, e in zip(r, exponents)] for r in radii]
 
-def check(text):
-    """The proved statement; of certificates for one start and, with derivatives, all around it, that of a root."""
-    *parts, rest = text.split("\nend\n")
-    if len(parts) > 1: return root([check_one(part + "\nend\n") for part in parts], rest.split("\n"))
-    return check_one(text).statement()
-def distance(c, x, y):                             # at least |sum c_i x_i - y|, x_i intervals
-    return max(abs(sum(f(k * a, k * b) for k, (a, b) in zip(c, x)) - y) for f in (min, max))
-def root(problems, lines):
-    """F(u) = 0 for one u in a box, m in the middle, r at most half of its widths, since |C F(m)| + |1 - C F'| r < r."""
-    point, near, names, goals = *problems[:2], problems[0].state, [x.split(" ") for x in lines[:-1]]
-    (middle,), (ends,) = [{c[0] for x in y for c in x.claims} for y in (problems[:1], problems[1:])]
-    need(len({(x.variable, x.t0, str(x.equations)) for x in problems}) == 1
-         and (":" in ends or fraction(middle) == fraction(ends)), "certificates that are not of one problem")
-    moved = [k for k, x in enumerate(point.starts) if x != near.starts[k]]
-    need(all(x.starts == near.starts for x in problems[1:])
-         and [x.vary for x in problems] == [[]] + [[names[k]] for k in moved], "starts that do not match")
-    claims = [{x: (fraction(a), fraction(b)) for _, x, a, b in y.claims} for y in problems]
-    def gap(k, x, goal):                           # the value less that at the start, or less a number; its derivative
-        name, by = "d(%s)" % x if k else x, problems[k]
-        a, b = by.start[by.state.index(name)] if goal == "start" else (0 if k else fraction(goal),) * 2
-        return claims[k][name][0] - b, claims[k][name][1] - a
-    F, *columns = [[gap(k, x, goal) for _, x, goal, *_ in goals] for k in range(len(problems))]
-    unknowns = [("%s(%s)" % (names[k], point.t0), point.starts[k], near.starts[k][1:-1].split(", ")) for k in moved]
-    if ":" in ends:                                # the time is an unknown, and the derivatives by it are y'
-        unknowns.append((point.variable, middle, sorted(ends.split(":"), key=fraction)))
-        rates = {x: Enclosures(near.bits).of(formula(y), claims[1]) for x, y in near.equations}
-        columns.append([{**claims[1], **rates}[x + "'"] for _, x, *_ in goals])
-    radii = [max(0, min(fraction(m) - fraction(a), fraction(b) - fraction(m))) for _, m, (a, b) in unknowns]
-    form(not lines[-1] and [x[:1] + [len(x)] for x in goals] == [["root", len(radii) + 3] for _ in radii], "no such roots")
-    for i, c in enumerate([[fraction(y) for y in x[3:]] for x in goals]):
-        total = distance(c, F, 0) + sum(distance(c, x, i == j) * r for j, (x, r) in enumerate(zip(columns, radii)))
-        need(total < radii[i], "the condition for a root in %s" % unknowns[i][0])
-    at = "(%s)" % (point.variable if ":" in ends else middle)
-    roots = [x + at + " = " + (x + "(%s)" % point.t0 if goal == "start" else goal) for _, x, goal, *_ in goals]
-    box = ", ".join("%s in [%s, %s]" % (x, *y) for x, _, y in unknowns)
-    return "For exactly one choice of %s the %s    %s." % (box, near.head(ends.split(":")), ",\n    ".join(roots))
-def check_one(text):                               # a certificate that is proved
-    r = Reader(text)
-    problem = Problem(r)
-    n, time, claims, zeros = range(len(problem.right)), problem.t0, problem.claims, not problem.condition
-    state = ([(a + b) / 2 for a, b in problem.start], matrix(len(n), lambda i, j: ONE * (i == j)),
-             [range(i, i + 1) for i in n], [math.ceil((b - a) / 2 * two(problem.bits)) for a, b in problem.start])
+    def up(self, x):
+        """An upper bound of the fraction x as an integer."""
+        return -((-x.numerator << self.bits) // x.denominator)
+
+    def bounds(self, a, unit):
+        """Of the polynomials a/unit of a matrix."""
+        return [[self.up(norm(entry) / unit) for entry in row] for row in a]
+
+    def product(self, a, b):
+        """Of two matrices of bounds."""
+        columns = list(zip(*b))
+        return [[-(-sum(map(int.__mul__, row, c)) >> self.bits) for c in columns] for row in a]
+
+    def radii_at(self, x):
+        return [math.ceil(a + (b - a) * (x + 1) / 2) for a, b in zip(self.R0, self.R1)]
+
+    def right_end(self):
+        """The tube at x = 1."""
+        x, units = Fraction(1), [two(e) for e in self.scales]
+        centre = [value(a, x) * two(-self.kp) * unit for a, unit in zip(self.p, units)]
+        V = [[value(a, x) * two(-self.kv) * unit for a in row] for row, unit in zip(self.V, units)]
+        return centre, V, self.blocks, self.R1
+
+    def check(self, old):
+        """All conditions, with `old` as the set in which the step begins."""
+        self.check_frame()
+        self.check_joint(*old)
+        self.scale_equations()
+        self.check_growth()
+
+    def check_frame(self):
+        """Sets N1: V^-1 = (1 + N) U with |1 + N| <= N1.
+
+        By Neumann's series for V^-1 = (1 + Z)^-1 U, Z = U V - 1, with bounds z of |Z| of the
+        largest row sum q <= 1/2: |N_ij| <= z_ij + (row sum i of z^2)/(1 - q).
+        """
+        n, k, one = self.n, self.ku + self.kv, 1 << self.bits
+        columns = list(zip(*self.V))
+        UV = matrix(n, lambda i, j: dot(self.U[i], columns[j]))
+        Z = matrix(n, lambda i, j: add(UV[i][j], [-1 << k] if i == j else []))
+        z = self.bounds(Z, two(k))
+        q = max(map(sum, z))
+        need(2 * q <= one, "frame: U is not nearly the inverse of V")
+        rest = [-(-(sum(row) << self.bits) // (one - q)) for row in self.product(z, z)]
+        self.N1 = matrix(n, lambda i, j: z[i][j] + rest[i] + (one if i == j else 0))
+
+    def check_joint(self, centre, frame, blocks, radii):
+        """The set in which the step begins is in the tube at x = -1."""
+        left, units = Fraction(-1), [two(-e) for e in self.scales]
+        U = [[value(a, left) * two(-self.ku) for a in row] for row in self.U]
+        p = [value(a, left) * two(-self.kp) for a in self.p]
+        gap = [[c * unit - x] for c, unit, x in zip(centre, units, p)]
+        turned = [[x * unit for x in row] for row, unit in zip(frame, units)]
+        for a in gap, turned:  # becomes bounds of V^-1 a
+            columns = list(zip(*a))
+            a[:] = [[self.up(abs(sum(map(Fraction.__mul__, u, c)))) for c in columns] for u in U]
+            a[:] = self.product(self.N1, a)
+        for b, rows in enumerate(self.blocks):
+            total = size_of(gap, rows, [0]) << self.bits
+            total += sum(size_of(turned, rows, c) * radius for c, radius in zip(blocks, radii))
+            need(total <= self.R0[b] << self.bits, "start or joint: radius of block %d" % (b + 1))
+
+    def scale_equations(self):
+        """Sets the equations in the scaled unknowns, if their products are not too large.
+
+        The time is s + h/2 + (h/4) 2 T_1, a list of integers times 1/q. `terms` are those of the
+        scaled right-hand sides, of g, and of g' times h/2: (equation, product, coefficient).
+        """
+        right, half = self.problem.right + self.problem.functions, self.length / 2
+        time, timed = [self.begin + half, half / 2], any(0 in m for f in right for m in f)
+        q = math.lcm(*[x.denominator for x in time]) if timed else 1
+        self.k, e = max(self.kp, q.bit_length()), [0] + self.scales
+        form(self.k <= 2 * MOST_EXPONENT, "a step is too large")
+        self.factors = [[int(x * q) << self.k for x in time if timed]]
+        self.factors += [scaled(a, 1 << (self.k - self.kp)) for a in self.p]
+        self.terms, self.common = [], 1
+        self.most = max([len(m) for f in right for m in f] + [1])
+        for i, f in enumerate(right):
+            for m, c in f.items():
+                shift = sum(e[j] for j in m) - (self.scales[i] if i < self.n else 0)
+                form(abs(shift) <= MOST_SHIFT, "a step is too large")
+                c *= two(shift) * (1 if i == self.n else half) / q ** m.count(0)
+                self.terms.append((i, m, c))
+                self.common = math.lcm(self.common, c.denominator)
+                form(self.common.bit_length() <= MOST_COMMON, "a step is too large")
+        length = self.most * max(map(len, self.factors))
+        largest = max([abs(c) for a in self.factors for c in a] + [1])
+        bits = self.most * (largest.bit_length() + self.k) + self.common.bit_length()
+        form(length * bits <= MOST_STEP, "a step is too large")
+        self.unit = self.common << (self.most * self.k)
+
+    def field(self):
+        """p' - g and J = g_Y along p, and bounds of the change of J in the tube.
+
+        p' - g is in parts of `unit`, J in parts of `unit` 2^-k. In the tube |Y_i - p_i| <= rho_i.
+        """
+        n, k = self.n, self.k
+        radii = list(map(max, self.R0, self.R1))
+        self.size_of_V = self.bounds(self.V, two(self.kv))
+        rho = [0]
+        for row in self.size_of_V:
+            total = sum(size_of([row], [0], rows) * r for rows, r in zip(self.blocks, radii))
+            rho.append(-(-total >> self.bits))
+        (reach,) = self.bounds([self.factors], two(k))
+        products = {(): [1]}
+
+        def product(m):
+            if m not in products:
+                products[m] = dot([product(m[:-1])], [self.factors[m[-1]]])
+            return products[m]
+
+        def change(m):
+            """Of a product of factors, in the tube."""
+            larger = math.prod(reach[j] + rho[j] for j in m) - math.prod(reach[j] for j in m)
+            return Fraction(larger, 1 << (self.bits * len(m)))
+
+        d = [scaled(derivative(a), self.unit >> k) for a in self.factors[1:]] + [[], []]
+        J, change_of_J, changes = matrix(n, lambda i, j: []), matrix(n, lambda i, j: 0), [1, 1]
+        for i, m, c in self.terms:
+            factor = int(c * self.common) << ((self.most - len(m)) * k)
+            d[i] = add(d[i], scaled(product(m), -factor))
+            if i >= n:
+                changes[i - n] += self.up(abs(c) * change(m))
+                continue
+            for at, j in enumerate(m):
+                if j > 0:
+                    rest = m[:at] + m[at + 1:]
+                    J[i][j - 1] = add(J[i][j - 1], scaled(product(rest), factor))
+                    change_of_J[i][j - 1] += self.up(abs(c) * change(rest))
+        # g and g' along p, a bound of the slope, and of the change in the tube.
+        self.functions = [
+            (scaled(a, -1), norm(derivative(a)), changed * self.unit * two(-self.bits))
+            for a, changed in zip(d[n:], changes)
+        ]
+        return d[:n], J, change_of_J
+
+    def check_growth(self):
+        """(R1_b - R0_b)/2 >= sum_c A_bc r_c + D_b at both ends.
+
+        B = B0 + change, where B0 = U (J V - V') is known as polynomials, and the change in the
+        tube, with that by N, is at most C - |B0|, C = N1 (|B0| + |U| change_of_J |V|).
+        """
+        n, (d, J, change_of_J) = self.n, self.field()
+        defect = self.bounds([[dot(u, d)] for u in self.U], self.unit * two(self.ku))
+        defect = self.product(self.N1, defect)
+        columns, minus = list(zip(*self.V)), -self.unit >> self.k
+        JV = matrix(n, lambda i, j: dot(J[i], columns[j]))
+        H = matrix(n, lambda i, j: add(JV[i][j], scaled(derivative(self.V[i][j]), minus)))
+        columns = list(zip(*H))
+        B0 = matrix(n, lambda i, j: dot(self.U[i], columns[j]))
+        unit = self.unit * two(self.ku + self.kv - self.k)
+        bound = self.bounds(B0, unit)
+        C = self.product(change_of_J, self.size_of_V)
+        C = self.product(self.bounds(self.U, two(self.ku)), C)
+        C = self.product(self.N1, matrix(n, lambda i, j: C[i][j] + bound[i][j]))
+        more = matrix(n, lambda i, j: C[i][j] - bound[i][j])
+        rates = [self.rate(B0, rows, unit) + size_of(more, rows, rows) for rows in self.blocks]
+        for end, radii in (("left", self.R0), ("right", self.R1)):
+            for b, rows in enumerate(self.blocks):
+                growth = size_of(defect, rows, [0]) << self.bits
+                for c, columns in enumerate(self.blocks):
+                    growth += (rates[b] if c == b else size_of(C, rows, columns)) * radii[c]
+                within = 2 * growth <= (self.R1[b] - self.R0[b]) << self.bits
+                need(within, "growth of the radius of block %d at the %s end" % (b + 1, end))
+
+    def above(self, a, unit):
+        """Upper bounds of a(x)/unit on each part of [-1, 1], by the value in its middle."""
+        slope = Fraction(norm(derivative(a)), PARTS)
+        middles = [Fraction(2 * k + 1 - PARTS, PARTS) for k in range(PARTS)]
+        return [self.up((value(a, x) + slope) / unit) for x in middles]
+
+    def rate(self, B0, rows, unit):
+        """At least the largest eigenvalue of the symmetric part of a block.
+
+        It is that of a matrix ((a, m/2), (m/2, d)): (a + d + sqrt((a - d)^2 + m^2))/2.
+        """
+        i = rows[0]
+        a = self.above(B0[i][i], unit)
+        if len(rows) == 1:
+            return min(self.up(norm(B0[i][i]) / unit), max(a))
+        d, mixed = self.above(B0[i + 1][i + 1], unit), add(B0[i][i + 1], B0[i + 1][i])
+        both = zip(self.above(mixed, unit), self.above(scaled(mixed, -1), unit))
+        m = [max(abs(x), abs(y)) for x, y in both]
+        twice = [x + y + root_up((x - y) ** 2 + z * z) for x, y, z in zip(a, d, m)]
+        return max(-(-x // 2) for x in twice)
+
+
+# ---------------------------------------------------------------------------- Claims and zeros
+# A value in the tube at x is within sum_b |V_ib(x)| r_b(x) of p_i(x). On an interval [u, v] of x,
+# values, |V_ib| and r_b differ from those in the middle by at most (v - u)/2 times a bound of their
+# derivatives.
+#
+# A function has on [u, v] the sign of its value in the middle if that is more than (v - u)/2 times
+# a bound of the slope, plus the change in the tube; it has that of both ends if these are equal and
+# its derivative has a sign. A condition with different signs before and behind an interval, where
+# its derivative has a sign, has one zero there.
+
+class Progress:
+    """Which claims, and which intervals of a condition, are proved: the first ones.
+
+    Interval 0 is before the first zero, 1 has it, 2 is behind it, and so on; the last is a time.
+    """
+
+    def __init__(self, problem):
+        self.problem, self.claims, self.interval, self.sign = problem, 0, 0, 0
+        pairs = zip(problem.ends, problem.ends[1:] + problem.ends[-1:])
+        self.intervals = list(pairs) if problem.zeros else []
+
+    def complete(self):
+        goal = len(self.problem.claims), len(self.intervals)
+        return (self.claims, self.interval) == goal
+
+    def check(self, step):
+        """The claims and intervals, as far as they are in a step."""
+        way = self.problem.ends[-1] - self.problem.t0
+        need(way * step.length >= 0, "the zeros are not in the order of the steps")
+        for claim in itertools.islice(self.problem.claims, self.claims, None):
+            u, v, ends = part(step, claim.first, claim.last)
+            if u > v:
+                break
+            check_claim(step, claim, u, v)
+            self.claims += ends
+        for k, interval in itertools.islice(enumerate(self.intervals), self.interval, None):
+            u, v, ends = part(step, *interval)
+            if u > v:
+                break
+            sign = sure(step, 1, u, v) if k % 2 else sign_on(step, u, v)
+            sign = -sign if (k + 1) // 2 % 2 else sign
+            alternate = sign and self.sign in (0, sign)
+            need(alternate, "the sign of the condition in its interval %d" % (k + 1))
+            self.sign, self.interval = sign, k + ends
+            if not ends:
+                break
+
+
+def part(step, first, last):
+    """Two times as values of x, as far as they are in the step, and whether the second one is."""
+    u, v = [2 * (time - step.begin) / step.length - 1 for time in (first, last)]
+    return max(u, Fraction(-1)), min(v, Fraction(1)), v <= 1
+
+
+def check_claim(step, claim, u, v):
+    """On [u, v] the tube is in the interval of the claim."""
+    i, half, x = step.problem.state.index(claim.name), (v - u) / 2, (u + v) / 2
+    unit, unit_of_V = two(step.scales[i] - step.kp), two(step.scales[i] - step.kv)
+    centre, reach = value(step.p[i], x) * unit, norm(derivative(step.p[i])) * half * unit
+    sizes = [abs(value(a, x)) + norm(derivative(a)) * half for a in step.V[i]]
+    row = [[step.up(size * unit_of_V) for size in sizes]]
+    for block, radius, a, b in zip(step.blocks, step.radii_at(x), step.R0, step.R1):
+        radius += math.ceil(abs(b - a) * half / 2)
+        reach += size_of(row, [0], block) * radius * two(-2 * step.bits)
+    within = claim.low <= centre - reach and centre + reach <= claim.high
+    names = claim.name, claim.time
+    need(within, "the value of %s at %s is not proved to be in its interval" % names)
+
+
+def sure(step, k, u, v):
+    """The sign on [u, v] of the condition, k = 0, or of its derivative, k = 1; 0 if not proved."""
+    a, slope, reach = step.functions[k]
+    middle = value(a, (u + v) / 2)
+    large = abs(middle) > slope * (v - u) / 2 + reach
+    return large * (1 if middle > 0 else -1)
+
+
+def sign_on(step, u, v):
+    """The sign of the condition on [u, v], by halves; 0 if it is not proved.
+
+    Where the condition is 0 at the initial time, the sign of its derivative is that behind it.
+    """
+    starts = step.problem.zero_start and step.begin == step.problem.t0
+    _, slope, reach = step.functions[0]
+    parts, sign = [(u, v)], 0
+    for _ in range(MOST_PARTS):
+        u, v = parts.pop()
+        way = sure(step, 1, u, v)
+        left = way if starts and u == -1 else sure(step, 0, u, u)
+        if left == sure(step, 0, v, v) and (way or sure(step, 0, u, v)):
+            if left in (0, -sign):
+                return 0
+            sign = left
+        elif slope * (v - u) > reach:
+            parts += [((u + v) / 2, v), (u, (u + v) / 2)]
+        else:
+            return 0
+        if not parts:
+            return sign
+    return 0
+
+
+# -------------------------------------------------------------------------------- Certificates
+# If each step begins in the tube of the step before, and the first one in the box of the initial
+# values, the solution exists up to the end of the last step, and is in the tubes.
+
+def check_one(text):
+    """The problem of a certificate that is proved."""
+    reader = Reader(text)
+    problem = Problem(reader)
+    progress, time, boxes, n = Progress(problem), problem.t0, problem.start, len(problem.start)
+    radii = [math.ceil((b - a) / 2 * two(problem.bits)) for a, b in boxes]
+    blocks, unit = [range(i, i + 1) for i in range(n)], matrix(n, lambda i, j: Fraction(i == j))
+    state, direction = ([(a + b) / 2 for a, b in boxes], unit, blocks, radii), 0
     for number in range(1, problem.steps + 1):
         try:
-            step = Step(r, problem, time)
+            step = Step(reader, problem, time)
+            form(direction * step.length >= 0, "a step in the other direction")
             step.check(state)
-            claims = [x for x in claims if not step.check_claim(x)]
-            zeros = zeros or step.check_zeros()
+            progress.check(step)
         except Refused as reason:
             raise type(reason)("step %d: %s" % (number, reason)) from None
-        time, state = time + step.length, step.at(ONE)
-    form(r.lines[r.at:] == ["end", ""], "the steps do not end with 'end'")
-    need(zeros and not claims, "no step contains the time of a claim or a zero")
+        time, state, direction = time + step.length, step.right_end(), step.length
+    form(reader.lines[reader.at:] == ["end", ""], "the steps do not end with 'end'")
+    need(progress.complete(), "no step contains the time of a claim or a zero")
     return problem
 
-if __name__ == "__main__":
+
+def check(text):
+    """The proved statement; of several certificates and conditions, that of a root."""
+    *parts, rest = text.split("\nend\n")
+    if len(parts) <= 1:
+        return check_one(text).statement()
+    form(len(parts) <= MOST_UNKNOWNS, "there are too many certificates")
+    return check_root([check_one(part + "\nend\n") for part in parts], rest)
+
+
+# --------------------------------------------------------------------------------------- Roots
+# Newton's method. Let F(u) be the differences of both sides of the conditions at the end, m a
+# vector, r > 0, and C a matrix. If, for the values F(m) and F' of all u with |u_j - m_j| <= r_j,
+#     |C F(m)|_i + sum_j |(1 - C F')_ij| r_j < r_i   for every i,
+# then F = 0 for exactly one of these u. F(m) is in the intervals of the first certificate; column j
+# of F' is in those of certificate j + 1, derivatives by the start of unknown j; if the time is an
+# unknown, the last column has the derivatives by it.
+
+def time_of(problems):
+    """The time of all claims."""
+    times = {claim.time for problem in problems for claim in problem.claims}
+    form(len(times) == 1, "claims at different times")
+    return times.pop()
+
+
+def unknowns_of(problems, middle, ends):
+    """The starts that differ, and the unknowns: name, m, and both ends as texts."""
+    point, near, *others = problems
+    same = all((x.variable, x.t0, x.equations) == (near.variable, near.t0, near.equations)
+               for x in problems) and (":" in ends or fraction(middle) == fraction(ends))
+    need(same, "certificates that are not of one problem")
+    moved = [k for k, x in enumerate(point.starts) if x != near.starts[k]]
+    match = [x.vary for x in problems] == [None] + [point.state[k] for k in moved]
+    match = match and all(x.starts == near.starts for x in others)
+    need(match, "starts that do not match")
+    found = []
+    for k in moved:
+        form(near.starts[k].startswith("["), "no interval of starts")
+        name = "%s(%s)" % (point.state[k], point.t0_text)
+        found.append((name, point.starts[k], near.starts[k][1:-1].split(", ")))
+    if ":" in ends:
+        found.append((point.variable, middle, sorted(ends.split(":"), key=fraction)))
+    return moved, found
+
+
+def rate(near, claims, name):
+    """The derivative of an unknown by the time, from the unknowns with claims."""
+    known = {x: claims[x] for x in near.state[:len(near.starts)] if x in claims}
+    for left, text in near.equations:
+        if left == name + "'":
+            return Enclosures(near.bits).of(Parser(text).tree, known)
+    form(name + "'" in known, "no claim about '%s'", name + "'")
+    return known[name + "'"]
+
+
+def differences(problems, goals, moved, ends):
+    """F and the columns of its derivative as intervals."""
+    claims = [{x.name: (x.low, x.high) for x in problem.claims} for problem in problems]
+    point, F, columns = problems[0], [], [[] for _ in moved]
+    for _, name, goal, *_ in goals:
+        start = point.start[point.state.index(name)]
+        low, high = start if goal == "start" else (fraction(goal),) * 2
+        form(name in claims[0], "no claim about '%s'", name)
+        F.append((claims[0][name][0] - high, claims[0][name][1] - low))
+        for column, k, known in zip(columns, moved, claims[1:]):
+            form("d(%s)" % name in known, "no claim about '%s'", "d(%s)" % name)
+            less = goal == "start" and point.state[k] == name
+            column.append(tuple(end - less for end in known["d(%s)" % name]))
+    if ":" in ends:
+        columns.append([rate(problems[1], claims[1], goal[1]) for goal in goals])
+    return F, columns
+
+
+def distance(c, intervals, y):
+    """At least |sum c_i x_i - y|, for x_i in the intervals."""
+    ends = [sorted((k * a, k * b)) for k, (a, b) in zip(c, intervals)]
+    return max(abs(sum(x[side] for x in ends) - y) for side in (0, 1))
+
+
+def check_root(problems, rest):
+    """The statement of a root."""
+    goals = [line.split(" ") for line in rest.split("\n")]
+    form(goals.pop() == [""], "the conditions do not end with a line")
+    middle, ends = time_of(problems[:1]), time_of(problems[1:])
+    moved, unknowns = unknowns_of(problems, middle, ends)
+    point, n = problems[0], len(unknowns)
+    good = [[x[0], len(x)] for x in goals] == [["root", n + 3]] * n
+    good = good and all(x[1] in point.state for x in goals)
+    form(good, "not one condition for each unknown")
+    F, columns = differences(problems, goals, moved, ends)
+    radii = []
+    for _, *texts in unknowns:
+        m, (a, b) = fraction(texts[0]), map(fraction, texts[1])
+        radii.append(max(Fraction(0), min(m - a, b - m)))
+    for i, goal in enumerate(goals):
+        C = [fraction(x) for x in goal[3:]]
+        total = distance(C, F, 0)
+        total += sum(distance(C, x, i == j) * radii[j] for j, x in enumerate(columns))
+        need(total < radii[i], "the condition for a root in %s" % unknowns[i][0])
+    at, t0 = point.variable if ":" in ends else middle, point.t0_text
+    box = ", ".join("%s in [%s, %s]" % (x, *texts) for x, _, texts in unknowns)
+    roots = ["    %s(%s) = %s" % (x, at, "%s(%s)" % (x, t0) if y == "start" else y)
+             for _, x, y, *_ in goals]
+    parts = box, problems[1].head(ends.split(":")), ",\n".join(roots), point.variable
+    return "For exactly one choice of %s the %s%s.\nThe variable is %s." % parts
+
+
+# ------------------------------------------------------------------------------------ The file
+
+def text_of(content):
+    """The text of a certificate from the bytes of its file, which is the compression."""
+    stream = zlib.decompressobj()
     try:
-        form(len(sys.argv) == 2, "usage: python3 -I libration_check.py FILE")
-        print("Proved:\n" + check(zlib.decompress(open(sys.argv[1], "rb").read()).decode("ascii")))
-    except Exception as reason:                        # Refused, or not a text of the format
-        print("Not proved: %s" % (reason if isinstance(reason, (Refused, OSError)) else "no certificate, %r" % reason))
-        sys.exit(getattr(reason, "status", 2))
+        text = stream.decompress(content, MOST_TEXT + 1)
+    except zlib.error:
+        raise Malformed("the file is not a text compressed by zlib") from None
+    form(len(text) <= MOST_TEXT, "the text is too long")
+    form(stream.eof, "the file is not the whole of a text compressed by zlib")
+    form(not stream.unused_data, "something follows the compressed text")
+    form(not re.search(rb"[^\n -~]", text), "a character of the text is not printable ASCII")
+    return text.decode("ascii")
+
+
+def main():
+    try:
+        form(len(sys.argv) == 2, "usage: libration_check FILE")
+        with open(sys.argv[1], "rb") as file:
+            content = file.read()
+        print("Proved:\n" + check(text_of(content)))
+    except (Refused, OSError) as reason:
+        unreadable = "the file cannot be read"
+        print("Not proved: %s" % (unreadable if isinstance(reason, OSError) else reason))
+        return getattr(reason, "status", 2)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -199,7 +199,16 @@ private:
         return unit_of_matrix * power_of_ten_below(radius(i) / largest);
     }
 
-    // A box on which |1 - C F'| r is small, about the middle if that on which the root is known is too large.
+    void set_box(const std::vector<rational>& radii) {
+        for (std::size_t k = 0; k < size(); ++k) {
+            const rational low = middle_[k] - radii[k];
+            const rational high = middle_[k] + radii[k];
+            box_[k] = {low.str(), high.str(), low, high};
+        }
+    }
+
+    // A box on which |1 - C F'| r is small, about the middle if that on which the root is known is too large. The middle
+    // of a smaller box has to be nearer to the root.
     void choose_box() {
         for (int i = 0; i < most_boxes; ++i) {
             const long bits = 2 * ode::proved_march::usual_error_bits + digits_ * 3322 / 1000;
@@ -210,12 +219,13 @@ private:
             if (found && contracts(found->derivative)) {
                 return;
             }
+            std::vector<rational> radii;
             for (std::size_t k = 0; k < size(); ++k) {
-                const rational r = power_of_ten_below(radius(k)) / 100;
-                const rational low = middle_[k] - r;
-                const rational high = middle_[k] + r;
-                box_[k] = {low.str(), high.str(), low, high};
+                radii.push_back(power_of_ten_below(radius(k)) / 100);
             }
+            set_box(radii);
+            find_middle();
+            set_box(radii);
         }
         refuse_undecided("is of a root near which the derivatives of the conditions change too much");
     }
