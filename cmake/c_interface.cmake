@@ -15,7 +15,8 @@ target_include_directories(libration-c
 target_link_libraries(libration-c PRIVATE libration-proved libration-warnings)
 target_link_options(libration-c PRIVATE
     LINKER:--version-script=${PROJECT_SOURCE_DIR}/src/interface/c/symbols.map
-    LINKER:--no-undefined)
+    LINKER:--no-undefined
+    LINKER:-z,nodelete)  # threads wait in it (proof_thread.cpp), and end in it (thread_ends.cpp)
 set_property(TARGET libration-c APPEND PROPERTY LINK_DEPENDS ${PROJECT_SOURCE_DIR}/src/interface/c/symbols.map)
 
 # The exported symbols, for the test that compares them with the header.

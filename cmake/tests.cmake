@@ -26,12 +26,16 @@ target_compile_definitions(libration-tests PRIVATE
     LIBRATION_CHECKER="${PROJECT_SOURCE_DIR}/check/libration_check.py")
 # Calls it while memory allocation fails, by replacing the allocator.
 if(NOT LIBRATION_SANITIZE)
-    add_executable(libration-failing-memory ${PROJECT_SOURCE_DIR}/tests/c/failing_memory.cpp)
-    set_target_properties(libration-failing-memory PROPERTIES UNITY_BUILD OFF)
+    add_executable(libration-failing-memory
+        ${PROJECT_SOURCE_DIR}/tests/c/failing_memory.cpp ${PROJECT_SOURCE_DIR}/tests/c/failing_allocation.cpp)
+    add_library(libration-failing-allocation MODULE ${PROJECT_SOURCE_DIR}/tests/c/failing_allocation.cpp)
+    set_target_properties(libration-failing-memory libration-failing-allocation PROPERTIES UNITY_BUILD OFF)
+    target_link_libraries(libration-failing-allocation PRIVATE libration-warnings)
     target_link_libraries(libration-failing-memory PRIVATE libration-c libration-warnings)
     target_compile_definitions(libration-tests PRIVATE
-        LIBRATION_FAILING_MEMORY="$<TARGET_FILE:libration-failing-memory>")
-    add_dependencies(libration-tests libration-failing-memory)
+        LIBRATION_FAILING_MEMORY="$<TARGET_FILE:libration-failing-memory>"
+        LIBRATION_FAILING_ALLOCATION="$<TARGET_FILE:libration-failing-allocation>")
+    add_dependencies(libration-tests libration-failing-memory libration-failing-allocation)
 endif()
 # MPFI, under Boost's intervals: a type for which the library has no special support.
 target_link_libraries(libration-tests PRIVATE mpfi)

@@ -8,9 +8,11 @@
 #include <array>
 #include <atomic>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <memory>
+#include <new>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -54,6 +56,22 @@ void end_process(libration::failure_kind kind) {
                stderr);
     std::fputs("\n", stderr);
     ::_exit(failed);
+}
+
+std::terminate_handler usual_end = nullptr;
+
+// An exception that nothing catches: during the initialisation of the program, or in a function that throws none.
+[[noreturn]] void end_at_exception() {
+    try {
+        if (const auto thrown = std::current_exception()) {
+            std::rethrow_exception(thrown);
+        }
+    } catch (const std::bad_alloc&) {
+        end_process(libration::failure_kind::no_memory);
+    } catch (...) {
+        usual_end();
+    }
+    std::abort();
 }
 
 // One line for any message, without control characters.
@@ -165,8 +183,9 @@ int run(const libration::subcommand& command) {
 
 // Whether a command may take long; a study also ends by itself at a signal, with its journal.
 bool has_timeout(const std::string& name) {
-    constexpr std::array<std::string_view, 10> names{"reference", "trajectory", "find",   "singularities", "radius",
-                                                     "verify",    "table",      "series", "coefficients",  "study"};
+    constexpr std::array<std::string_view, 11> names{"reference", "trajectory",   "find",   "singularities",
+                                                     "radius",    "elliptic",     "verify", "table",
+                                                     "series",    "coefficients", "study"};
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
@@ -190,10 +209,7 @@ int say_help(const CLI::App& program, const CLI::ParseError& problem) {
     return std::cout ? code : complain("stdout cannot be written", failed);
 }
 
-}  // namespace
-
-int libration::run_program(int argc, char** argv) {
-    libration::set_failure_handler(end_process);
+int run_words(int argc, char** argv) {
     const libration::whole_quotient_scope by_whole_sequences(libration::quotient_by_flint);
     CLI::App program(libration::program_description, "libration");
     libration::set_help_layout(program);
@@ -229,4 +245,22 @@ int libration::run_program(int argc, char** argv) {
     const auto chosen = std::find_if(commands.begin(), commands.end(),
                                      [](const libration::subcommand& each) { return each.options->parsed(); });
     return chosen != commands.end() ? run_limited(*chosen, timeout) : failed;
+}
+
+}  // namespace
+
+void libration::prepare_for_failures() {
+    set_failure_handler(end_process);
+    const std::terminate_handler before = std::set_terminate(end_at_exception);
+    usual_end = before == end_at_exception ? usual_end : before;
+}
+
+int libration::run_program(int argc, char** argv) {
+    prepare_for_failures();
+    try {
+        return run_words(argc, argv);
+    } catch (const std::bad_alloc&) {
+        end_process(failure_kind::no_memory);
+        return failed;
+    }
 }

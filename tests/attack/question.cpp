@@ -71,6 +71,8 @@ const std::vector<statement_kind>& statement_kinds() {
         {"limit", "limits at equilibria", 10, ask_limit},
         {"delay", "solutions with a constant delay, and an event; neutral equations", 10, ask_delay},
         {"set", "bounds of all solutions of a set, at times and at an event, and numbers of events", 10, ask_set},
+        {"degenerate set", "bounds of sets that are points, hold equilibria or singularities, of 1e+-300, or end", 30,
+         ask_degenerate_set},
         {"derivative", "with respect to initial values and parameters, also across events", 10, ask_derivative},
         {"step of time", "right-hand sides of nested steps of the time", 40, ask_time_steps},
         {"step of state", "the same of the time and of unknowns", 40, ask_state_steps},

@@ -49,6 +49,7 @@ outcome ask_root_time(choices& next);
 outcome ask_limit(choices& next);
 outcome ask_delay(choices& next);
 outcome ask_set(choices& next);
+outcome ask_degenerate_set(choices& next);
 outcome ask_derivative(choices& next);
 outcome ask_time_steps(choices& next);
 outcome ask_state_steps(choices& next);

@@ -1,5 +1,7 @@
 // Inputs of any size and kind end in bounded time and memory: with a result, or with one line that has the remedy.
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <fstream>
 #include <string>
 
@@ -112,6 +114,38 @@ TEST_CASE("a row that no proof reaches leaves the others their verdicts", "[comm
     CHECK(done.err.find("rows.csv:2: time '1e400' is not reached: the proof has reached ") != std::string::npos);
     CHECK(done.err.find("rows.csv:5: time '1e401' is beyond the time of another row") != std::string::npos);
     CHECK(done.err.find("rows.csv: 5 rows, 1 ok, 1 miss, 0 malformed, 3 undecided") != std::string::npos);
+}
+
+// y = exp(t): of all times the same digits as of one. A minute would be quadratic time.
+TEST_CASE("long lists of times take time in proportion to their length", "[command][bounded work]") {
+    const temporary_folder folder;
+    const auto before = std::chrono::steady_clock::now();
+    const auto done = run_libration(
+        {"reference", "--problem", "y' = y; y(0) = 1", "--times", "1e-4:3:30000", "--digits", "10", "--format", "csv"},
+        folder.path());
+    INFO(done.err);
+    CHECK(std::chrono::steady_clock::now() - before < std::chrono::seconds(20));
+    CHECK(done.exit_code == 0);
+    CHECK(std::ranges::count(done.out, '\n') == 30'001);
+    CHECK_THAT(done.out, Catch::Contains(",20.08553692,"));  // exp(3)
+}
+
+// y' = y (1 + t + ... + t^4999), of which 1/(1 - t) differs by less than 1e-29000 at 1e-6; and y' = 80000 y.
+TEST_CASE("sums of thousands of terms are proved in seconds", "[command][bounded work]") {
+    const temporary_folder folder;
+    std::string terms;
+    for (int i = 1; i < 5000; ++i) {
+        terms += " + y*t^" + std::to_string(i);
+    }
+    write_file(folder, "powers.ode", "y' = y" + terms + "; y(0) = 1");
+    write_file(folder, "equal.ode", "y' = y" + repeated(" + y", 79'999) + "; y(0) = 1");
+    write_file(folder, "power.ode", "y' = 66*t^65; x' = x^1000*y; y(0) = 1; x(0) = 0");
+    const words at{"reference", "--digits", "10", "--format", "csv", "--columns", "y", "--problem"};
+    const auto before = std::chrono::steady_clock::now();
+    check_prints(at + words{"./powers.ode", "--time", "1e-6"}, "1.000001000", folder);
+    check_prints(at + words{"./equal.ode", "--time", "1e-6"}, "1.083287068", folder);  // exp(0.08)
+    CHECK(std::chrono::steady_clock::now() - before < std::chrono::seconds(30));
+    check_prints(at + words{"./power.ode", "--time", "1"}, "2.000000000", folder);
 }
 
 }  // namespace command_bounded_work_test

@@ -36,4 +36,18 @@ TEST_CASE("a psi series has an exponent and no kind", "[command][radius]") {
     CHECK_THAT(output_of(blasius), Catch::Contains("3 singularities at") && Catch::Contains("of undetermined kind"));
 }
 
+// x = -+sqrt(2) i/(t - t*) + ... with logarithms from the fourth term on unless c = 0.
+TEST_CASE("the damped Duffing oscillator has no poles, the undamped one has", "[command][radius]") {
+    for (const std::string start : {"x(0) = 1; x'(0) = 0", "x(0) = 1/2; x'(0) = 2"}) {
+        for (const std::string c : {"0", "0.01", "0.1", "0.4"}) {
+            for (const std::string order : {"40", "100"}) {
+                INFO(c << ", " << start << ", " << order);
+                const auto rows = rows_of(
+                    {"radius", "--problem", "x'' = -c*x' - x - x^3; " + start + "; c = " + c, "--order", order});
+                CHECK((rows[0].at("kind") == "pole") == (c == "0"));
+            }
+        }
+    }
+}
+
 }  // namespace command_radius_unknowns_test

@@ -174,4 +174,31 @@ TEST_CASE("what does not support sets says so in one line", "[command][sets]") {
     check_refused({"reference", "--problem", "x' = -abs(x); x(0) = [1, 2]", "--times", "1"}, {"abs(x)"});
 }
 
+TEST_CASE("sets that are singular at the start end with status 1 and one line", "[command][sets]") {
+    for (const std::string problem : {"x' = sqrt(x); x(0) = [0,1]", "x' = 1/x; x(0) = [0,1]",
+                                      "x' = -x/(x^2 + 1/100); x(0) = [-1,1]", "x' = x/a; x(0) = 1; a = [0,1]"}) {
+        for (const words& more :
+             {words{"--time", "1"}, words{"--time", "1", "--parts", "4"}, words{"--over", "0:1"},
+              words{"--until", "x = 20", "--before", "1"}, words{"--until", "x = 20", "--before", "1", "--how-many"}}) {
+            const auto done = run_libration(words{"reference", "--problem", problem} + more);
+            INFO(problem << " " << command_line(more) << ": " << done.err);
+            CHECK(done.exit_code == 1);
+            CHECK(done.out.empty());
+            CHECK_THAT(done.err, Catch::Contains("no step from the initial point is proved"));
+        }
+    }
+}
+
+// Near the maximum of sin 2t, about 1, the two sides may touch.
+TEST_CASE("the possible numbers of events of one solution are called that", "[command][sets]") {
+    const words line{
+        "reference",    "--problem", "y'' = -4*y; y(0) = 0; y'(0) = 2", "--until", "(y - 1/3)*(y - 1/7) = 1/2",
+        "--before=-12", "--how-many"};
+    const auto text = bounds_by(line);
+    INFO(text);
+    CHECK(text.starts_with("events  "));
+    const bool several = text.find(" or ") != std::string::npos;
+    CHECK(several == (text.find("proved: one of these numbers") != std::string::npos));
+}
+
 }  // namespace command_set_test

@@ -99,4 +99,14 @@ TEST_CASE("a command that ends before the timeout is not changed", "[command][ti
     CHECK(output_of(tangent + words{"--timeout", "1min"}) == output_of(tangent));
 }
 
+TEST_CASE("commands without checks between their steps end at the timeout", "[command][timeout]") {
+    for (const words& line : {words{"elliptic", "K", "--m", "1/3", "--digits", "30000000"},
+                              words{"find", "--problem", "van_der_pol", "--periodic", "--digits", "3000"}}) {
+        const auto before = std::chrono::steady_clock::now();
+        const auto ended = run_libration(line + words{"--timeout", "1"});
+        CHECK(std::chrono::steady_clock::now() - before < std::chrono::seconds(4));
+        check_ended(ended, "--timeout '1' ended the command");
+    }
+}
+
 }  // namespace command_timeout_test

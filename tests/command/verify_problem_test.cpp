@@ -42,4 +42,12 @@ TEST_CASE("verify accepts a value within its tolerance of a truth that is not to
     CHECK(rows[2].at("verdict") == "miss");
 }
 
+// exp(1) and exp(-1), the second to fewer digits.
+TEST_CASE("verify counts the digits of the value with the fewest", "[command][verify]") {
+    const auto done = verify("time,x,y\n1,2.71828182845904523536,0.36787944118\n",
+                             {"--problem", "x' = x; y' = -y; x(0) = 1; y(0) = 1"});
+    CHECK(says(done, "    10 correct digits:         1"));
+    CHECK_FALSE(says(done, "    20 correct digits:"));
+}
+
 }  // namespace command_verify_problem_test

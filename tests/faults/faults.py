@@ -576,7 +576,7 @@ FAULTS = [
     *in_file(
         MODELS + "model_march.cpp", [MODEL_MARCH],
         ("the tail of a step of models forgotten", "    result.add_to_rest(tail_->at(i, magnitude(distance)));\n", ""),
-        ("a derivative over the models without their errors", "        state.back().add_to_rest(set_.reach(i));\n", ""),
+        ("a derivative over the models without their errors", "        state.back().add_to_rest(set_->reach(i));\n", ""),
         ("the errors of a step of models forgotten", "        added.push_back(model.rest());\n", "        added.emplace_back();\n"),
     ),
     *in_file(
@@ -1103,5 +1103,51 @@ FAULTS = [
         "src/libration/ode/rigorous/certificate/certified_run.cpp", [CERTIFICATES],
         ("the derivatives by the first start", "k == *choice.varied ? 1 : 0", "k == 0 ? 1 : 0"),
         ("steps without end", "expected > doubtful * most_certified_steps) {", "false) {"),
+    ),
+    *in_file(
+        "src/libration/ode/proved/sets/models/taylor_model.cpp", [TAYLOR_MODELS],
+        ("an underflow not multiplied by the coefficients of a power", "log2_of_underflow + degree);",
+         "log2_of_underflow);"),
+    ),
+    *in_file(
+        "src/libration/ode/proved/sets/models/model_march.hpp", [SETS],
+        ("a set without a polynomial form read", "return set_ ? &*set_ : nullptr;", "return &*set_;"),
+        sources=("src/libration/ode/proved/sets/models/model_march.cpp", "src/libration/ode/proved/sets/set_run.cpp"),
+    ),
+    *in_file(
+        "src/libration/ode/proved/sets/set_question.cpp", [SETS],
+        ("solutions that do not begin called existing", "(begins ? ", "(true ? "),
+    ),
+    *in_file(
+        "src/libration/scalar/number/exponential_form.cpp", ["scalar/text/expression_test.cpp"],
+        ("Lambert's W on another branch", "q == r && r >= -1", "q == r"),
+        ("the power of a factor alone", "within_limits(rational(r * exponent))", "r"),
+    ),
+    *in_file(
+        "src/libration/ode/text/formula_parser.cpp", ["ode/parse_test.cpp"],
+        ("a parenthesis counted twice", "        if (++depth_ > deepest_formula) {",
+         "        if ((depth_ += 2) > deepest_formula) {"),
+    ),
+    *in_file(
+        "src/libration/scalar/text/expression_parser.cpp", ["scalar/text/expression_test.cpp"],
+        ("a parenthesis counted twice in numbers", "        if (++depth_ > deepest) {",
+         "        if ((depth_ += 2) > deepest) {"),
+    ),
+    *in_file(
+        "src/libration/ode/differentiated_numbers.cpp", ["ode/proved/flow_derivatives_test.cpp"],
+        ("a parameter held fixed that follows another", "    require_independent(given, parameters);\n}", "}"),
+    ),
+    *in_file(
+        "src/libration/scalar/ball/thread_ends.cpp", ["scalar/ball/thread_ends_test.cpp"],
+        ("objects of a thread in the order of their creation",
+         "const thread_end last = ends_of_thread[--number_of_ends];",
+         "const thread_end last = ends_of_thread[0];\n        for (std::size_t i = 1; i < number_of_ends; ++i) {\n"
+         "            ends_of_thread[i - 1] = ends_of_thread[i];\n        }\n        --number_of_ends;"),
+        ("objects of a thread never destroyed", "return pthread_key_create(&key, end_of_thread) == 0;",
+         "return pthread_key_create(&key, nullptr) == 0;"),
+    ),
+    *in_file(
+        "src/libration/problem/solution/radius_answer.cpp", ["problem/solution_test.cpp"],
+        ("a pole with branches by the equations called a pole", "if (!*single) {", "if (false) {"),
     ),
 ]

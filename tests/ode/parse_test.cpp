@@ -278,6 +278,28 @@ TEST_CASE("deep and long texts are refused before they cost anything", "[ode][pa
     CHECK(refusal_of("y' = " + many + "y" + std::string(200, ')')).find("is nested more than 100 deep") !=
           std::string::npos);
     CHECK(refusal_of("y' = " + std::string(300, '-') + "y").find("is nested more than 100 deep") != std::string::npos);
+    // One level for each parenthesis, function, sign and exponent: 100 of them are read.
+    for (const auto& [before, behind] : {std::pair<std::string, std::string>("(", ")"),
+                                         {"sin(", ")"},
+                                         {"-", ""},
+                                         {"2^", ""},
+                                         {"+", ""},
+                                         {"(y + ", ")"}}) {
+        const auto nested = [&, &first = before, &last = behind](int levels) {
+            std::string text;
+            for (int i = 0; i < levels; ++i) {
+                text += first;
+            }
+            text += first == "2^" ? "1" : "y";
+            for (int i = 0; i < levels; ++i) {
+                text += last;
+            }
+            return refusal_of("y' = " + text);
+        };
+        INFO(before);
+        CHECK(nested(100).find("deep") == std::string::npos);
+        CHECK(nested(101).find("is nested more than 100 deep") != std::string::npos);
+    }
     CHECK(refusal_of(std::string(1'000'001, ' ')) == "problem is longer than 1000000 characters: write less");
     const std::string name(201, 'a');
     CHECK(refusal_of(name + "' = 1") ==

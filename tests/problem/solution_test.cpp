@@ -93,6 +93,23 @@ TEST_CASE("a disc without a found singularity is not proved to be free", "[probl
     CHECK(entire.notes.size() == 1);
 }
 
+// x = -+sqrt(2) i/(t - t*) + ..., with logarithms from the fourth term on unless c = 0.
+TEST_CASE("a pole with logarithms is called no pole, from its equation and from some lists", "[problem]") {
+    const auto kind_of = [](const std::string& c, long order, const std::string& about) {
+        const problem of("x'' = -c*x' - x - x^3; x(0) = 1; x'(0) = 0; c = " + c);
+        return solve(of)->radius({.order = order, .about = about}, rounded_digits(40)).at(0, "kind");
+    };
+    for (const std::string about : {"", "1/4"}) {
+        CHECK(kind_of("0", 60, about) == "pole");
+        for (const std::string c : {"0.01", "0.1", "0.4"}) {
+            for (const long order : {60L, 100L}) {
+                INFO(c << ", " << order << ", " << about);
+                CHECK(kind_of(c, order, about) != "pole");
+            }
+        }
+    }
+}
+
 // The radius of the closed form against the tests of coefficients, which do not use it.
 TEST_CASE("the radius of the pendulum is known without coefficients", "[problem]") {
     const auto theta = solve(problem("pendulum"));

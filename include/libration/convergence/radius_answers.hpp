@@ -42,6 +42,11 @@ inline constexpr long radius_guard_digits = 20;
 /// in the unit of the list.
 radius_answers answers_of(const listed_function& function, const scalar_spec& scalar);
 
+/// Whether the verdict has this kind without the last coefficient, without the last two, and from the first four fifths
+/// of them, too. No kind there is another one than a pole: the coefficients of a pole with weak logarithms (a psi series)
+/// fit those of a pole up to some order.
+bool keeps_kind(const listed_function& function, const scalar_spec& scalar, singularity_kind kind);
+
 /// An estimate in decimals, each number with the digits that its uncertainty supports and no more than requested;
 /// missing values are empty. The uncertainty is that of the radius as printed: if the requested digits truncate it,
 /// with a unit of its last place.

@@ -117,14 +117,27 @@ private:
     R raised(const expression& e) {
         const R& base = done_.at(e.left());
         const auto exponent = e.right().fraction();
-        if (!exponent || denominator(*exponent) != 1 || abs(numerator(*exponent)) > 64) {
+        constexpr int largest = 1'000'000;
+        if (!exponent || denominator(*exponent) != 1 || abs(numerator(*exponent)) > largest) {
             return power_value<R>(base, done_.at(e.right()));
         }
+        const R result = whole_power(base, static_cast<int>(abs(numerator(*exponent))));
+        return *exponent < 0 ? R(R(1) / result) : result;
+    }
+
+    // One factor after the other up to 64, by squares beyond.
+    static R whole_power(const R& base, int n) {
+        constexpr int few = 64;
         R result(1);
-        for (int n = static_cast<int>(abs(numerator(*exponent))); n > 0; --n) {
+        if (n > few) {
+            const R half = whole_power(base, n / 2);
+            result = R(half * half);
+            n %= 2;
+        }
+        for (; n > 0; --n) {
             result = R(result * base);
         }
-        return *exponent < 0 ? R(R(1) / result) : result;
+        return result;
     }
 
     R variable_;

@@ -122,6 +122,13 @@ protected:
         return std::nullopt;
     }
 
+    /// Whether the solution is single-valued around its singularity at this place, relative to the point of the series, by
+    /// the analysis of singularities(), heuristic; std::nullopt if that does not find it.
+    virtual std::optional<bool> is_single_valued(const series_request& /*of*/, const complex_number<mpfr>& /*place*/,
+                                                 const request& /*how*/) const {
+        return std::nullopt;
+    }
+
     explicit solution(std::vector<std::string> quantities) : quantities_(std::move(quantities)) {}
 
 private:

@@ -131,6 +131,7 @@ private:
     class comparison;
     class evaluation;
     class separation;
+    class exponential_form;
     struct term {
         rational coefficient;
         std::shared_ptr<const atom> of;

@@ -124,6 +124,7 @@ void require_complete(const partial_table& of) {
 
 partial_table states_table(const answer& found, const std::vector<exact>& times,
                            const std::vector<std::string>& decimals, long digits, const shared_cells& shared) {
+    const bool undecided = has_undecided(found);
     const auto columns = columns_of_answer(found, shared);
     partial_table result{table(columns),
                          lines_of(shared.before_time) + lines_of(shared.behind_values),
@@ -156,7 +157,7 @@ partial_table states_table(const answer& found, const std::vector<exact>& times,
         if (!found.drifts.empty()) {
             row.push_back(found.drifts[i].empty() ? cell() : cell::number(found.drifts[i], digits_of_drift));
         }
-        if (has_undecided(found)) {
+        if (undecided) {
             row.emplace_back(bounds_of(found, found.rows[i]));
         }
         result.rows.add_row(std::move(row));
@@ -177,7 +178,8 @@ partial_table events_table(const answer& found, long digits) {
         columns.push_back({name, ""});
     }
     columns.insert(columns.end(), {{"digits", ""}, {"rigour", ""}, {"count", ""}});
-    if (has_undecided(found)) {
+    const bool undecided = has_undecided(found);
+    if (undecided) {
         columns.push_back({"undecided", ""});
     }
     partial_table result{table(std::move(columns)), "", "", found.missing, found.collocation, found.notes};
@@ -186,7 +188,7 @@ partial_table events_table(const answer& found, long digits) {
         table_row_cells row;
         add_numbers(row, event, digits);
         row.insert(row.end(), {digits, found.rigour, ++count});
-        if (has_undecided(found)) {
+        if (undecided) {
             row.emplace_back(bounds_of(found, event));
         }
         result.rows.add_row(std::move(row));

@@ -256,6 +256,10 @@ partial_table set_options::event_counts(const problem_options& problem, ode::eve
         result.rows.add_row({number_cell(std::to_string(count)), "proved"});
     }
     result.text = found.counts.empty() ? "" : "events  " + text_of_counts(found.counts) + "\n";
+    if (found.counts.size() > 1 && equations.sets.empty()) {
+        result.text +=
+            "proved: one of these numbers; which one, --count K decides, by finding the K-th event or none\n";
+    }
     return result;
 }
 

@@ -130,9 +130,9 @@ void at_ending_signal::call_all() noexcept {
 namespace {
 
 constexpr int ended_code = 1;
-// For a computation that has called check_time(), and for another one.
-constexpr std::chrono::seconds between_checks{5};
-constexpr std::chrono::milliseconds without_checks{300};
+// Until check_time() is called, which not every computation does; and for the output of what is finished by then.
+constexpr std::chrono::milliseconds until_check{400};
+constexpr std::chrono::seconds for_output{5};
 
 // Never destroyed: the thread that waits for signals may outlive main.
 struct limited_command {
@@ -142,7 +142,7 @@ struct limited_command {
     std::string subject, value;  ///< of the error: "--timeout", "3"
     bool finished = false;
     std::atomic<bool> ending = false;
-    std::atomic<bool> checked = false;
+    std::atomic<bool> ends_itself = false;  ///< check_time() has thrown
 };
 
 limited_command& current() {
@@ -174,8 +174,9 @@ bool end_command(std::string subject, std::string value) {
             command.value = std::move(value);
             command.ending = true;
         }
-        const auto wait = command.checked ? std::chrono::milliseconds(between_checks) : without_checks;
-        if (command.changed.wait_for(lock, wait, [&] { return command.finished; })) {
+        const auto finished = [&] { return command.finished; };
+        command.changed.wait_for(lock, until_check, [&] { return command.finished || command.ends_itself; });
+        if (command.finished || (command.ends_itself && command.changed.wait_for(lock, for_output, finished))) {
             return true;
         }
     }
@@ -203,7 +204,7 @@ time_limit::time_limit(std::optional<std::chrono::milliseconds> limit, std::stri
         const std::lock_guard lock(command.mutex);
         command.finished = false;
         command.ending = false;
-        command.checked = false;
+        command.ends_itself = false;
     }
     if (signals_) {
         try {
@@ -238,8 +239,9 @@ time_limit::~time_limit() {
 }
 
 void check_time() {
-    current().checked = true;
     if (current().ending) {
+        current().ends_itself = true;
+        current().changed.notify_all();
         throw ended_error();
     }
 }

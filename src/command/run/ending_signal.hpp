@@ -37,7 +37,7 @@ private:
 
 /// During its lifetime a command ends after a time, and if `signals` at INT, TERM and HUP, with exit code 1 and one
 /// line on stderr with how far it got (status_source). A computation that calls check_time() between its steps ends by
-/// an exception, so that the command prints what is finished. If it does not call it for some seconds, the actions of
+/// an exception, so that the command prints what is finished. If it does not call it within 0.4 s, the actions of
 /// at_ending_signal are called, and the process ends. One object at a time.
 class time_limit {
 public:

@@ -103,7 +103,6 @@ compared_row row_comparer::row_of(const csv_record& record, const std::vector<st
     row.text = writer_.row(record, cells, added);
     row.column = own_name(worst);
     row.error = here.values[worst].error;
-    row.tenths_of_digits = here.values.front().tenths_of_digits;
     row.least_tenths = here.values[worst].tenths_of_digits;
     row.condition = here.condition;
     row.of_tolerance = here.values[worst].of_tolerance;

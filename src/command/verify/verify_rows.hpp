@@ -25,8 +25,7 @@ struct compared_row {
     std::string reason;  ///< of what is malformed or undecided, or which value misses
     std::string column;  ///< of the value that is worst
     std::string error;
-    std::optional<long> tenths_of_digits;  ///< correct digits of the first value; nothing for an error of 0
-    std::optional<long> least_tenths;      ///< of the value that is worst, which has the fewest
+    std::optional<long> least_tenths;  ///< correct digits of the value that is worst; nothing for an error of 0
     std::string condition;
     bool proved = true;           ///< what the row is compared with
     mpfr of_tolerance = mpfr(0);  ///< error/tolerance of the value that is worst

@@ -34,7 +34,7 @@ void verify_summary::add(const compared_row& row) {
         return;
     }
     unproved_ += row.proved ? 0 : 1;
-    ++digits_[row.tenths_of_digits ? *row.tenths_of_digits / 10 : exact_digits];
+    ++digits_[row.least_tenths ? *row.least_tenths / 10 : exact_digits];
     if (row.verdict == row_verdict::miss) {
         name(row, ++misses_, misses_named_);
     }

@@ -1,5 +1,5 @@
 // The summary that `libration verify` prints for a file: counts, the worst row, a mistake that all rows have in common,
-// and the correct digits of all rows.
+// and the correct digits of all rows: those of the value that has the fewest.
 #pragma once
 
 #include <map>
@@ -49,7 +49,7 @@ private:
     std::optional<compared_row> worst_;
     std::vector<std::string> of_doubles_, inputs_;
     common_mistake mistake_;
-    std::map<long, long> digits_;  ///< how many rows have so many correct digits
+    std::map<long, long> digits_;  ///< how many rows have so many correct digits in all values
 };
 
 }  // namespace libration

@@ -112,6 +112,28 @@ void choose_side(radius_estimate<mpfr>& verdict, const std::vector<listed_series
 
 }  // namespace
 
+bool keeps_kind(const listed_function& function, const scalar_spec& scalar, singularity_kind kind) {
+    const int order = function.parts.front().coefficients.order();
+    for (const int fewer : {order - 1, order - 2, order * 4 / 5}) {
+        if (fewer < 0) {
+            continue;
+        }
+        listed_function shorter{{}, function.root};
+        for (const listed_series& list : function.parts) {
+            const auto& all = list.coefficients.coefficients();
+            const auto count = static_cast<std::ptrdiff_t>(std::min(all.size(), static_cast<std::size_t>(fewer) + 1));
+            const auto written = std::min(count, static_cast<std::ptrdiff_t>(list.written.size()));
+            shorter.parts.push_back({series::power_series<mpfr>(std::vector<mpfr>(all.begin(), all.begin() + count)),
+                                     {list.written.begin(), list.written.begin() + written}});
+        }
+        const singularity_kind found = answers_of(shorter, scalar).rows.front().kind;
+        if (found != kind && (found != singularity_kind::unknown || kind == singularity_kind::pole)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 printed_estimate printed(const radius_estimate<mpfr>& estimate, long digits) {
     const auto text = [&](const mpfr& x) { return supported(x, estimate.uncertainty, digits); };
     printed_estimate shown;

@@ -1,6 +1,8 @@
 #include "differentiated_numbers.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <set>
 
 #include "libration/ode/parse.hpp"
 
@@ -25,7 +27,45 @@ std::string name_of_start_at(const equation_system& given, const number& point, 
     refuse_unknown_number(typed);
 }
 
+// The first of these names on which the value of a parameter depends, by way of others too.
+std::optional<std::string> dependence_on(const equation_system& given, const std::string& name,
+                                         const std::vector<std::string>& names) {
+    std::set<std::string> seen{name};
+    std::vector<std::string> open{name};
+    while (!open.empty()) {
+        const definition* const next = given.parameter_of(open.back());
+        open.pop_back();
+        if (next == nullptr) {
+            continue;
+        }
+        std::optional<std::string> found;
+        each_leaf(next->value, [&](const expression& leaf) {
+            if (leaf.kind() == node_kind::parameter && seen.insert(leaf.name()).second) {
+                open.push_back(leaf.name());
+                if (std::ranges::find(names, leaf.name()) != names.end()) {
+                    found = leaf.name();
+                }
+            }
+        });
+        if (found) {
+            return found;
+        }
+    }
+    return std::nullopt;
+}
+
 }  // namespace
+
+void require_independent(const equation_system& given, const std::vector<std::string>& parameters) {
+    for (const std::string& each : parameters) {
+        if (const auto other = dependence_on(given, each, parameters)) {
+            refuse_derivative(each,
+                              "depends on " + *other +
+                                  ", so that the derivative by one of them does not hold the other fixed: ask for "
+                                  "one at a time");
+        }
+    }
+}
 
 void refuse_derivative(const std::string& name, const std::string& reason) {
     throw error(error_kind::argument, "derivatives", name, reason);
@@ -48,6 +88,7 @@ differentiated_numbers::differentiated_numbers(const equation_system& given, con
         }
         columns.push_back({true, static_cast<std::size_t>(found - state.begin())});
     }
+    require_independent(given, parameters);
 }
 
 }  // namespace libration::ode

@@ -11,7 +11,7 @@
 namespace libration::ode {
 
 /// Parameters and initial values by their names, r and x'(0). Throws error of the subject "derivatives" for a name that
-/// is given twice, and for an initial value that the problem does not have.
+/// is given twice, for an initial value that the problem does not have, and as require_independent().
 struct differentiated_numbers {
     /// The index of a parameter in `parameters`, or of an initial value in the state.
     struct column {
@@ -26,6 +26,11 @@ struct differentiated_numbers {
     std::vector<column> columns;  ///< of each number, in order
     std::vector<std::string> parameters;
 };
+
+/// Throws error of the subject "derivatives" if one of these parameters is defined by another one, directly or not. The
+/// derivative by a parameter holds all other numbers fixed, while parameters that are defined by it follow it: one of
+/// these cannot be held fixed and follow at once.
+void require_independent(const equation_system& given, const std::vector<std::string>& parameters);
 
 /// Throws error of the subject "derivatives".
 [[noreturn]] void refuse_derivative(const std::string& name, const std::string& reason);

@@ -61,6 +61,9 @@ std::size_t mixed_hash(std::size_t seed, std::size_t more) {
 
 bool is_number(const expression& e) { return e.kind() == node_kind::constant; }
 
+// Whether it is a number times another expression, as one of two opposite expressions is.
+bool has_number(const expression& e) { return e.kind() == node_kind::product && is_number(e.left()); }
+
 }  // namespace
 
 expression::expression(node&& made) {
@@ -202,7 +205,8 @@ expression operator+(const expression& a, const expression& b) {
     if (a.is_unfolded_zero() && same_form(a, b)) {
         return a;
     }
-    return same_form(a, -b) ? expression() : expression::binary(node_kind::sum, a, b);
+    const bool opposite = (has_number(a) || has_number(b)) && same_form(a, -b);
+    return opposite ? expression() : expression::binary(node_kind::sum, a, b);
 }
 
 expression operator*(const expression& a, const expression& b) {

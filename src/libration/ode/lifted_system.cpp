@@ -14,7 +14,9 @@ namespace libration::ode {
 
 namespace {
 
-constexpr int most_whole_power = 64;
+// Of a polynomial, and of a root.
+constexpr int most_whole_power = 1'000'000;
+constexpr int most_power_of_root = 64;
 
 gradient gradient_of(const expression& e, const std::vector<expression>& leaves) {
     std::set<std::string> names;
@@ -127,7 +129,8 @@ private:
             return pow(u, exponent);
         }
         const auto r = exponent.fraction();
-        if (!r || abs(numerator(*r)) > most_whole_power || denominator(*r) > 6) {
+        const bool whole = r && denominator(*r) == 1;
+        if (!r || abs(numerator(*r)) > (whole ? most_whole_power : most_power_of_root) || denominator(*r) > 6) {
             return added(pow(u, exponent));
         }
         const int a = static_cast<int>(numerator(*r));

@@ -9,7 +9,8 @@ namespace libration::ode {
 
 namespace {
 
-constexpr int largest_whole_power = 64;
+// Of about 2 log2 n products; a^r by its equation would divide by a, which may be 0.
+constexpr int largest_whole_power = 1'000'000;
 
 bool fits_int(const rational& q) {
     const auto fits = [](const integer& n) { return abs(n) <= std::numeric_limits<int>::max(); };

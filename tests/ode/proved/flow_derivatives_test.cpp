@@ -202,4 +202,20 @@ TEST_CASE("times that are not reached leave the others", "[ode][proved][derivati
     CHECK(found.trajectory.missing->reason().find("is not reached") != std::string::npos);
 }
 
+// x = exp(b t) with b = 1 + k: dx/dk = dx/db = t x, whichever is asked for.
+TEST_CASE("a derivative does not depend on which others are requested", "[ode][proved][derivatives]") {
+    const auto by = [](const numbers& of) {
+        return ode::proved_derivatives(ode::parse("x' = b*x; x(0) = c; b = 1 + k; k = 1/5; c = 1; d = 2*b"),
+                                       times_of({"1"}), of, 10);
+    };
+    const precision_scope scope(50);
+    const mpfr slope = exp(mpfr("1.2"));
+    check_digits(by({"k"}).by[0][0][0], slope, 10);
+    check_digits(by({"b"}).by[0][0][0], slope, 10);
+    check_digits(by({"x(0)", "k", "c"}).by[0][0][1], slope, 10);
+    CHECK_THROWS_WITH(by({"k", "b"}), Catch::Contains("derivatives 'b' depends on k"));
+    CHECK_THROWS_WITH(by({"b", "k"}), Catch::Contains("derivatives 'b' depends on k"));
+    CHECK_THROWS_WITH(by({"k", "d"}), Catch::Contains("derivatives 'd' depends on k"));
+}
+
 }  // namespace flow_derivatives_test

@@ -267,4 +267,27 @@ TEST_CASE("the lexer of numbers takes what is one and leaves the rest", "[scalar
     CHECK(take_number(rest)->last_place() == fraction(1, 1000));
 }
 
+// W(x) = r where x = r exp(r), r >= -1.
+TEST_CASE("lambertw of r exp(r) is r", "[scalar][expression]") {
+    for (const std::string least : {"-exp(-1)", "-1/exp(1)", "-(1/exp(1))", "exp(-1) - 2*exp(-1)",
+                                    "-exp(1/2)*exp(-3/2)", "-1/sqrt(exp(2))", "-exp(2)^(-1/2)", "-1/cbrt(exp(3))",
+                                    "-(1 + expm1(-1))", "sinh(1) - cosh(1)", "-exp(1)^2/exp(3)", "(0-3)*exp(-1)/3"}) {
+        means("lambertw(" + least + ")", -1);
+    }
+    means("lambertw(exp(1))", 1);
+    means("lambertw(2*exp(2))", 2);
+    means("lambertw(-exp(-1/2)/2)", rational(-1, 2));
+    // Here r < -1, of another branch, or the argument is beside it.
+    CHECK_FALSE(read_exact("lambertw(-2*exp(-2))").coefficient == -2);
+    CHECK_THAT(refusal("lambertw(-exp(-1)*(1 + 1e-30))"), Contains("takes lambertw of a number below -1/e"));
+    CHECK_THAT(refusal("lambertw(-0.36787944117145)"), Contains("takes lambertw of a number below -1/e"));
+}
+
+TEST_CASE("a hundred parentheses are read", "[scalar][expression]") {
+    const std::string open(100, '(');
+    const std::string close(100, ')');
+    CHECK(read_exact(open + "3" + close).coefficient == 3);
+    CHECK_THAT(refusal("(" + open + "3" + close + ")"), Contains("is nested more than 100 deep"));
+}
+
 }  // namespace scalar_text_expression_test

@@ -13,9 +13,12 @@ struct lambertw_function {
     static constexpr std::string_view alias = "lambert_w";
     static constexpr auto form = analytic_form::several_values;
     static constexpr singular_points singular = no_points;
+    /// At r exp(r) too, which is no plain number (expression::exponential_form).
     static exact_value exact(const plain_number& x) { return at_zero(x, 0); }
     static range bounds(const number_bounds& x) {
-        if (x.upper < mpfr(rational(-367879441172, 1'000'000'000'000))) {  // -1/e = -0.36787944117144...
+        mpfr least;
+        mpfr_exp(handle(least), handle(mpfr(-1)), MPFR_RNDU);
+        if (x.upper < -least) {
             refuse_number("takes lambertw of a number below -1/e");
         }
         return by_balls(kind, x);

@@ -64,11 +64,15 @@ private:
         refuse(word.text, word.at, "is not expected here: write + - * / or ^ between numbers and names");
     }
 
-    void enter() {
+    // What is in a parenthesis, behind a sign or in an exponent, of which each is one level.
+    expression deeper(expression (formula_parser::*part)()) {
         if (++depth_ > deepest_formula) {
             refuse(whole(words_), words_[std::min(next_, last_ - 1)].at,
                    "is nested more than " + std::to_string(deepest_formula) + " deep: use fewer parentheses");
         }
+        expression value = (this->*part)();
+        --depth_;
+        return value;
     }
 
     // Operations on constants may have no value.
@@ -89,14 +93,12 @@ private:
     }
 
     expression sum() {
-        enter();
         expression total = product();
         while (at_symbol('+') || at_symbol('-')) {
             const token& sign = words_[next_++];
             const expression more = product();
             total = folded(sign.at, [&] { return written_sum(total, sign.symbol == '+' ? more : -more); });
         }
-        --depth_;
         return total;
     }
 
@@ -119,10 +121,12 @@ private:
 
     // [sign] power. -x^2 is -(x^2).
     expression factor() {
-        enter();
         const bool negative = at_symbol('-');
-        expression value = negative || at_symbol('+') ? (++next_, factor()) : power();
-        --depth_;
+        if (!negative && !at_symbol('+')) {
+            return power();
+        }
+        ++next_;
+        expression value = deeper(&formula_parser::factor);
         return negative ? -value : value;
     }
 
@@ -217,7 +221,7 @@ private:
             power();
             refuse_exponent(words_, begin, at, next_);
         }
-        return factor();
+        return deeper(&formula_parser::factor);
     }
 
     expression primary() {
@@ -384,7 +388,7 @@ private:
         if (next_ >= last_) {
             refuse("(", opened, "is not closed: add a )");
         }
-        expression value = sum();
+        expression value = deeper(&formula_parser::sum);
         if (next_ >= last_) {
             refuse("(", opened, "is not closed: add a )");
         }

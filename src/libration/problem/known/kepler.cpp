@@ -124,6 +124,9 @@ void kepler_solution::require_second_proof(const std::vector<exact>& times, cons
 
 known_facts facts_of_kepler() {
     return {.problem = "kepler", .closed_form = [](const ode::equation_system& equations) -> std::unique_ptr<solution> {
+                if (equations.equations.size() == 1) {
+                    return nullptr;
+                }
                 auto found = recognise_kepler(ode::explicit_system(equations));
                 return found ? std::make_unique<kepler_solution>(equations, *std::move(found)) : nullptr;
             }};

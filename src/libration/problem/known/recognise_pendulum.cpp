@@ -66,6 +66,10 @@ exact exact_number(const ode::number& value, const std::string& name) {
 }  // namespace
 
 std::optional<recognised_pendulum> recognise_pendulum(const ode::equation_system& equations) {
+    const auto highest = equations.highest_derivatives();
+    if (highest.size() == 1 && highest.begin()->second == 1) {
+        return std::nullopt;
+    }
     const explicit_system system(equations);
     const auto form = form_of(system);
     if (!form) {

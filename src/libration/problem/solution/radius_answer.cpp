@@ -158,16 +158,37 @@ std::vector<answer_note> verdict_in_words(const radius_answers& answers, const e
     return notes;
 }
 
+// Leaves out a kind that is not certain.
+void settle_kind(radius_estimate<mpfr>& verdict, const listed_function& of, const scalar_spec& scalar,
+                 const branch_analysis& analysis) {
+    if (verdict.kind == singularity_kind::unknown || verdict.kind == singularity_kind::boundary) {
+        return;
+    }
+    if (verdict.kind == singularity_kind::pole && verdict.position && analysis) {
+        if (const auto single = analysis(*verdict.position)) {
+            if (!*single) {
+                verdict.kind = singularity_kind::unknown;
+                verdict.note += "; no pole: by its equations the solution has branches there";
+            }
+            return;
+        }
+    }
+    if (!keeps_kind(of, scalar, verdict.kind)) {
+        verdict.kind = singularity_kind::unknown;
+    }
+}
+
 }  // namespace
 
-answer radius_answer(const std::vector<unknown_series>& unknowns, const std::optional<mpfr>& exact,
-                     const request& how) {
+answer radius_answer(const std::vector<unknown_series>& unknowns, const std::optional<mpfr>& exact, const request& how,
+                     const branch_analysis& analysis) {
     const bool several = unknowns.size() > 1;
     const long digits = how.printed_digits();
     std::vector<radius_answers> all;
     all.reserve(unknowns.size());
     for (const unknown_series& each : unknowns) {
         all.push_back(answers_of(each.lists, how.scalar));
+        settle_kind(all.back().rows.front(), each.lists, how.scalar, analysis);
     }
     answer result{.names = {"method", "radius", "uncertainty", "exact", "relative_error", "position_re", "position_im",
                             "kind", "count", "note", "exponent", "exponent_uncertainty", "rigour"},

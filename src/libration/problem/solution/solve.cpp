@@ -62,7 +62,8 @@ answer solution::radius(const series_request& of, const request& how) const {
         return proved_radius(of, how);
     }
     const long digits = how.printed_digits() + convergence::radius_guard_digits;
-    return radius_answer(coefficient_lists(of, how.scalar), exact_radius(of.about, digits), how);
+    return radius_answer(coefficient_lists(of, how.scalar), exact_radius(of.about, digits), how,
+                         [&](const complex_number<mpfr>& place) { return is_single_valued(of, place, how); });
 }
 
 answer solution::radius(const std::string& about, const request& how) const {

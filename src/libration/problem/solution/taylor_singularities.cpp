@@ -246,4 +246,38 @@ answer taylor_solution::singularities(const std::optional<double>& within, const
     return result;
 }
 
+// Of a disc that ends shortly beyond the place.
+std::optional<bool> taylor_solution::is_single_valued(const series_request& of, const complex_number<mpfr>& place,
+                                                      const request& how) const {
+    constexpr double beyond = 1.01;
+    constexpr double near = 1e-4;
+    if (!of.corners.empty()) {
+        return std::nullopt;
+    }
+    complex_number<mpfr> from_start = place;
+    if (!of.about.empty()) {
+        const ode::complex_constant about = point_in(of.about);
+        from_start.re += ode::constant_value<mpfr>::of(about.re - system_.point());
+        from_start.im += ode::constant_value<mpfr>::of(about.im);
+    }
+    plane_work work(how);
+    ode::singularity_request request;
+    request.within = beyond * modulus_of(from_start).convert_to<double>();
+    request.watch = work.watch();
+    ode::singularity_map map;
+    try {
+        map = ode::singularities_of(system_, request);
+    } catch (const error&) {  // a path that cannot be followed
+        return std::nullopt;
+    }
+    std::optional<bool> single;
+    for (const ode::found_singularity& each : map.all) {
+        const complex_number<mpfr> apart{mpfr(each.offset.re - from_start.re), mpfr(each.offset.im - from_start.im)};
+        if (modulus_of(apart) <= modulus_of(place) * near && each.kind != ode::singularity_kind::unclear) {
+            single = single.value_or(true) && each.kind == ode::singularity_kind::pole;
+        }
+    }
+    return single;
+}
+
 }  // namespace libration

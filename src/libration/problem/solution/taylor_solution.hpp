@@ -40,6 +40,8 @@ public:
     std::vector<unknown_series> coefficient_lists(const series_request& of, const scalar_spec& scalar) const override;
     answer singularities(const std::optional<double>& within, const request& how) const override;
     answer proved_radius(const series_request& of, const request& how) const override;
+    std::optional<bool> is_single_valued(const series_request& of, const complex_number<mpfr>& place,
+                                         const request& how) const override;
 
     const ode::explicit_system& system() const { return system_; }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "exact_fold.hpp"
+#include "exponential_form.hpp"
 #include "expression_atom.hpp"
 #include "libration/function/list.hpp"
 
@@ -332,6 +333,12 @@ expression expression::of_function(function_kind f, const rational& order, const
     if (const auto number = x.plain()) {
         if (const auto folded = folded_function(f, order, *number)) {
             return expression(folded->coefficient, folded->measure);
+        }
+    }
+    if (f == function_kind::lambertw) {
+        const auto form = exponential_form::of(x);
+        if (const auto folded = form ? form->lambertw() : std::nullopt) {
+            return expression(*folded);
         }
     }
     return of_atom({atom_kind::function, f, x, expression(order)});

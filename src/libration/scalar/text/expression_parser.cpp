@@ -100,10 +100,14 @@ private:
         return negative;
     }
 
-    expression sum() {
+    // A parenthesis or an exponent, of which each is one level.
+    void enter() {
         if (++depth_ > deepest) {
             refuse("is nested more than " + std::to_string(deepest) + " deep");
         }
+    }
+
+    expression sum() {
         const bool negative = take_sign();
         expression total = negative ? -product() : product();
         for (;;) {
@@ -113,7 +117,6 @@ private:
             } else if (take_operator("-")) {
                 total = total - product();
             } else {
-                --depth_;
                 return total;
             }
         }
@@ -176,9 +179,7 @@ private:
         if (!take_operator("^") && !take_operator("**")) {
             return base;
         }
-        if (++depth_ > deepest) {
-            refuse("is nested more than " + std::to_string(deepest) + " deep");
-        }
+        enter();
         const bool negative = take_sign();
         const expression exponent = factor();
         --depth_;
@@ -249,7 +250,9 @@ private:
 
     expression before_end() {
         skip_blanks();
+        enter();
         expression value = sum();
+        --depth_;
         skip_blanks();
         if (rest_.empty()) {
             refuse("does not end: a ) is missing");

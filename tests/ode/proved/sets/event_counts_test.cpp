@@ -108,7 +108,7 @@ TEST_CASE("numbers of events that are not decided are refused", "[ode][proved][s
                Catch::Contains("is not decided: the condition may hold in [1."));
     CHECK_THAT(missing_of(decay, "x = 1", "2"), Catch::Contains("the condition may hold in [0, "));
     CHECK_THAT(missing_of("x' = x^2; x(0) = [0.9, 1.1]", "x = -1", "2"),
-               Catch::Contains("is not reached by every solution: they are proved to exist up to 0."));
+               Catch::Contains("is not reached by every solution: all of them are proved to exist up to 0."));
     // A zero of the third order, where the difference and both derivatives are 0.
     CHECK_THAT(missing_of("x' = 3*(t - 1)^2; x(0) = -1", "x = 0", "2"), Catch::Contains("is not decided"));
     CHECK_THROWS_AS(counts_of(decay, "x = 1/2", "0"), error);

@@ -134,7 +134,7 @@ TEST_CASE("an event that some solutions do not have is missing", "[ode][proved][
     CHECK_THAT(missing_of(decay, {.condition = "x = 0", .horizon = 10}),
                Catch::Contains("is not found within 10 steps"));
     CHECK_THAT(missing_of("x' = x^2; x(0) = [0.9, 1.1]", {.condition = "x = -1"}),
-               Catch::Contains("is not reached by every solution: they are proved to exist up to 0.90"));
+               Catch::Contains("is not reached by every solution: all of them are proved to exist up to 0.90"));
     // The times of what is undecided do not begin before the initial one.
     CHECK_THAT(missing_of("x' = -a*x^3; x(0) = [1.4551915228366852e-11, 0.01]; a = [1, 1.1]",
                           {.condition = "x = 4.365574568510055e-12", .most_parts = 8}),

@@ -113,8 +113,7 @@ private:
         const set_run_result run = best_run(question, part, false);
         steps_ += run.steps;
         if (!run.complete) {
-            result.reason = "is not reached by every solution: they are proved to exist up to " +
-                            proved_reach_text(run.reached, forward_);
+            result.reason = text_of_reach(run.reached, run.begins, forward_);
             result.may_divide = middle_is_complete(question, part);
             return false;
         }

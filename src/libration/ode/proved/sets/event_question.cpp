@@ -159,8 +159,7 @@ void event_question::note_end(const event_search& search, std::size_t index, set
         case search_end::none:
         case search_end::steps:
         case search_end::precision:
-            result.reason = "is not reached by every solution: they are proved to exist up to " +
-                            proved_reach_text(search.march().reached(), direction_ >= 0);
+            result.reason = text_of_reach(search.march().reached(), search.march().steps() > 0, direction_ >= 0);
             break;
     }
 }

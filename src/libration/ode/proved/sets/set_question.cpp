@@ -75,6 +75,13 @@ std::vector<width_shares> shares_of(const ball_matrix& derivatives, const number
     return result;
 }
 
+std::string text_of_reach(const ball& reached, bool begins, bool forward) {
+    return "is not reached by every solution: " +
+           (begins ? "all of them are proved to exist up to " + proved_reach_text(reached, forward)
+                   : "no step from the initial point is proved, because the equations or their polynomial form may be "
+                     "singular on the set");
+}
+
 std::string text_of_part(const number_box& part, const std::vector<std::string>& names, std::size_t parts) {
     std::string text;
     for (std::size_t j = 0; j < part.size(); ++j) {

@@ -36,6 +36,7 @@ struct set_run_result {
     /// If it is not complete: the time up to which all solutions of the box are proved to exist, and the shares of each
     /// value there, if they are known; of an event also the reason, and whether the parts of the box may be complete.
     ball reached;
+    bool begins = true;  ///< whether a step from the initial point is proved
     bool forward = true;
     std::vector<width_shares> shares = {};
     std::string reason = {};
@@ -90,6 +91,9 @@ proof_route route_for(const number_box& box, const proof_route& given);
 
 /// The shares by derivatives with respect to the numbers of a box, a row for each value.
 std::vector<width_shares> shares_of(const ball_matrix& derivatives, const number_box& box);
+
+/// Of a time or an event that is not reached by every solution of a box: up to where they are proved to exist.
+std::string text_of_reach(const ball& reached, bool begins, bool forward);
 
 /// " for x(0) in [0.9, 1.1], b in [1, 2], one of 8 parts"; nothing of a problem without sets.
 std::string text_of_part(const number_box& part, const std::vector<std::string>& names, std::size_t parts);

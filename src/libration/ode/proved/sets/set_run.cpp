@@ -349,8 +349,10 @@ public:
 
     std::vector<width_shares> shares_at_end() const override {
         std::vector<width_shares> result;
-        for (const std::size_t place : how().of.own()) {
-            result.push_back(shares_in(march_.set().models[place]));
+        if (const model_set* const set = march_.set()) {
+            for (const std::size_t place : how().of.own()) {
+                result.push_back(shares_in(set->models[place]));
+            }
         }
         return result;
     }
@@ -366,8 +368,10 @@ protected:
     }
     std::vector<model_excess> excess_at_start() override {
         std::vector<model_excess> result;
-        for (const std::size_t place : how().of.own()) {
-            result.push_back({march_.set().reach(place).shifted(1), shares_in(march_.set().models[place])});
+        if (const model_set* const set = march_.set()) {
+            for (const std::size_t place : how().of.own()) {
+                result.push_back({set->reach(place).shifted(1), shares_in(set->models[place])});
+            }
         }
         return result;
     }
@@ -438,6 +442,7 @@ set_run_result span_question::enclosed_by(const number_box& box, bool with_deriv
         if (!reaches && result.complete) {
             result.complete = false;
             result.reached = run->reached();
+            result.begins = run->steps() > 0;
             result.forward = forward;
             result.shares = run->shares_at_end();
         }

@@ -25,8 +25,7 @@ std::vector<time_span> with_ends(const std::vector<time_span>& spans) {
 error end_of(const divided_box& box, const set_problem& of, const time_span& missing) {
     const set_run_result& first = *box.first_end();
     const number& time = first.forward ? missing.to : missing.from;
-    std::string reason = "is not reached by every solution: all of them are proved to exist up to " +
-                         proved_reach_text(first.reached, first.forward);
+    std::string reason = text_of_reach(first.reached, first.begins, first.forward);
     if (!of.sets().empty()) {
         reason += ", and the enclosure ends first" + text_of_part(box.box_of_first_end(), of.sets(), box.parts()) +
                   ": choose earlier times, narrower intervals or more parts";

@@ -231,4 +231,17 @@ TEST_CASE("functions of Taylor models", "[ode][proved][sets][models]") {
     CHECK_FALSE(lifted_models(form, {{in, ball(0), std::vector<ball>{ball(3), ball(0)}}, {in, ball(1)}}));
 }
 
+// c a^16 with c = 3/2 2^-1058: c/2^16 is half-way between two of the least doubles, and (b + 1)^16 is 2^16 at b = 1.
+TEST_CASE("an underflow on half of a box is multiplied by the coefficients of a power", "[ode][proved][sets][models]") {
+    const precision_scope scope(digits_of_values);
+    const monomial_set in(1, 16);
+    taylor_model power(in, ball(0), std::vector<ball>{ball(1)});
+    for (int doublings = 0; doublings < 4; ++doublings) {
+        power = product_coefficient({power}, {power}, 0);
+    }
+    const ball c = exact_multiple(ball(3), 1, -1059);
+    check_contains((c * power).on_half(0, true), {ball(1)}, c);
+    check_contains((c * power).on_half(0, false), {ball(-1)}, c);
+}
+
 }  // namespace ode_proved_sets_models_taylor_model_test

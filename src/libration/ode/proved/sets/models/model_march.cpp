@@ -169,8 +169,7 @@ void model_march::begin_from(const state_set& start) {
             row.emplace_back(few_monomials_, varied[count * (j + 1) + i]);
         }
     }
-    set_.models = *std::move(all);
-    set_.errors = error_set(std::move(rests));
+    set_ = model_set{*std::move(all), error_set(std::move(rests))};
 }
 
 const enclosed_step* model_march::stopped(march_end why) {
@@ -181,7 +180,7 @@ const enclosed_step* model_march::stopped(march_end why) {
 // Whether the error of an unknown is wider than its polynomial ever was: smaller boxes are enclosed better.
 bool model_march::is_lost() const {
     for (std::size_t i = 0; i < widest_.size(); ++i) {
-        if (widest_[i] < set_.reach(i) && set_.models[i].norm() * magnitude::of(1, -rounding_bits) < set_.reach(i)) {
+        if (widest_[i] < set_->reach(i) && set_->models[i].norm() * magnitude::of(1, -rounding_bits) < set_->reach(i)) {
             return true;
         }
     }
@@ -190,19 +189,19 @@ bool model_march::is_lost() const {
 
 bool model_march::expand() {
     now_.emplace(model_step(tape_, varied_tape_, lifted_.given, monomials_, few_monomials_));
-    now_->errors_ = set_.errors;
-    now_->of_box_.about(time_, set_.models);
+    now_->errors_ = set_->errors;
+    now_->of_box_.about(time_, set_->models);
     now_->tail_ = tail_of(tape_, now_->of_box_);
     if (!now_->tail_) {
         return false;
     }
     std::vector<taylor_model> state;
-    for (std::size_t i = 0; i < set_.models.size(); ++i) {
-        state.push_back(set_.models[i].truncated(few_monomials_));
-        state.back().add_to_rest(set_.reach(i));
+    for (std::size_t i = 0; i < set_->models.size(); ++i) {
+        state.push_back(set_->models[i].truncated(few_monomials_));
+        state.back().add_to_rest(set_->reach(i));
     }
-    for (std::size_t j = 0; j < set_.models.size(); ++j) {
-        for (std::size_t i = 0; i < set_.models.size(); ++i) {
+    for (std::size_t j = 0; j < set_->models.size(); ++j) {
+        for (std::size_t i = 0; i < set_->models.size(); ++i) {
             state.emplace_back(few_monomials_, ball(i == j ? 1 : 0));
         }
     }
@@ -214,15 +213,15 @@ bool model_march::expand() {
 // The longest step whose tails are small relative to the widths of the set, or to 2^-rounding_bits of unknowns without a
 // width.
 magnitude model_march::wanted_length() const {
-    const std::size_t count = set_.models.size();
+    const std::size_t count = set_->models.size();
     const auto longest_by = [](const tail_bound& tail, std::size_t i, double allowed) {
         const double error = log_of(tail.error[i]);
         return error == nothing ? largest_tried : log_of(tail.radius) + (allowed - error) / (tail.degree + 1);
     };
     std::vector<double> widths;
     for (std::size_t i = 0; i < count; ++i) {
-        const magnitude rounding = set_.models[i].norm() * magnitude::of(1, -rounding_bits);
-        widths.push_back(log_of(std::max(set_.width(i), rounding)));
+        const magnitude rounding = set_->models[i].norm() * magnitude::of(1, -rounding_bits);
+        widths.push_back(log_of(std::max(set_->width(i), rounding)));
     }
     const double widest = *std::ranges::max_element(widths);
     for (double& each : widths) {
@@ -283,15 +282,15 @@ void model_march::take_prepared(int direction) {
     const model_matrix map = now_->derivative_of_flow(distance);
     std::vector<magnitude> added;
     std::vector<long> scales;
-    for (std::size_t i = 0; i < set_.models.size(); ++i) {
-        taylor_model& model = set_.models[i];
+    for (std::size_t i = 0; i < set_->models.size(); ++i) {
+        taylor_model& model = set_->models[i];
         model = now_->of_box_at(i, distance);
         added.push_back(model.rest());
         model.drop_rest();
         widest_[i] = std::max(widest_[i], model.width());
         scales.push_back(widest_[i].is_zero() ? 0 : widest_[i].exponent());
     }
-    set_.errors = set_.errors.image(ranges_of(map), added).settled(scales);
+    set_->errors = set_->errors.image(ranges_of(map), added).settled(scales);
     derivative_ = product_of(map, derivative_);
     arb_add(time_.handle(), time_.handle(), distance.handle(), ARF_PREC_EXACT);
     ready_ = false;

@@ -77,8 +77,9 @@ public:
     const ball& reached() const override { return time_; }
     long steps() const override { return steps_; }
     long bits() const override { return working_bits; }
-    /// The states at reached().
-    const model_set& set() const { return set_; }
+    /// The states at reached(); null if the polynomial form may be singular on the set of the initial states, from which
+    /// there is no step.
+    const model_set* set() const { return set_ ? &*set_ : nullptr; }
     /// The derivative of the flow with respect to the given unknowns of the initial state, over the whole set, at a
     /// distance within the step that prepare_towards() has returned: a row for each given unknown. More narrowly if
     /// that is worth more work.
@@ -96,7 +97,7 @@ private:
     tape tape_, varied_tape_;
     march_watch watch_;
     ball time_, origin_;
-    model_set set_;
+    std::optional<model_set> set_;
     model_matrix derivative_;        ///< of all unknowns at reached()
     std::vector<magnitude> widest_;  ///< of the polynomial parts up to now
     std::optional<model_step> now_;

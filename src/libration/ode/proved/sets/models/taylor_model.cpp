@@ -191,7 +191,8 @@ ball taylor_model::range() const {
 
 // c a^e = c 2^-e (b +- 1)^e, by synthetic division in the powers of the variable: every coefficient is a sum of terms of
 // which none has been rounded more often than once in each of the passes, and the absolute values of all of them have
-// the sum of the |c_i|.
+// the sum of the |c_i|. An underflow of c 2^-e, of at most 2^-1075, is multiplied by the sum 2^e of the |coefficients| of
+// (b +- 1)^e; sums have none.
 taylor_model taylor_model::on_half(std::size_t variable, bool upper) const {
     taylor_model result = *this;
     auto& c = result.coefficients_;
@@ -215,6 +216,10 @@ taylor_model taylor_model::on_half(std::size_t variable, bool upper) const {
     }
     result.measure();
     result.add_rounding(norm(), norms_.size() + 1);
+    if (!norms_.empty()) {
+        const long degree = static_cast<long>(norms_.size()) - 1;
+        result.rest_ += magnitude::of(in_->size(), log2_of_underflow + degree);
+    }
     return result;
 }
 
