@@ -108,6 +108,6 @@ outcome ask_undecided(choices& next) {
 
 }  // namespace
 
-outcome ask_near_times(choices& next) { return next.one_in(4) ? ask_undecided(next) : ask_close(next); }
+outcome ask_near_times(choices& next) { return next.one_in(10) ? ask_undecided(next) : ask_close(next); }
 
 }  // namespace libration::attack
