@@ -32,7 +32,7 @@ std::string positive_decimal(choices& next) {
     return fmt::format("{}.{:03}", next.between(0, 2), next.between(1, 999));
 }
 
-truth typed(const std::string& decimal) {
+truth typed_number(const std::string& decimal) {
     return [exact = typed_fraction(decimal)] { return real(exact); };
 }
 
@@ -48,19 +48,21 @@ std::function<int(const rational&, int)> by_value(const std::function<mpfr(const
 degenerate_set any_point(choices& next) {
     const std::string c = positive_decimal(next);
     const std::string t = positive_decimal(next);
-    const truth time = typed(t);
+    const truth time = typed_number(t);
     switch (next.below(3)) {
         case 0:
             return {"x' = -x", c, c, t,
-                    by_value([=](const mpfr& x) { return mpfr(x * exp(mpfr(-time()))); }, typed(c), typed(c))};
+                    by_value([=](const mpfr& x) { return mpfr(x * exp(mpfr(-time()))); }, typed_number(c),
+                             typed_number(c))};
         case 1:
-            return {
-                "x' = -x^3/2", c, c, t,
-                by_value([=](const mpfr& x) { return mpfr(x / sqrt(mpfr(1 + x * x * time()))); }, typed(c), typed(c))};
+            return {"x' = -x^3/2", c, c, t,
+                    by_value([=](const mpfr& x) { return mpfr(x / sqrt(mpfr(1 + x * x * time()))); }, typed_number(c),
+                             typed_number(c))};
         default: {
-            degenerate_set found{"x' = x^2", c, c, t, {}, [c] { return mpfr(1 / typed(c)()); }};
+            degenerate_set found{"x' = x^2", c, c, t, {}, [c] { return mpfr(1 / typed_number(c)()); }};
             if (typed_fraction(c) * typed_fraction(t) < 1) {
-                found.sign = by_value([=](const mpfr& x) { return mpfr(x / (1 - x * time())); }, typed(c), typed(c));
+                found.sign = by_value([=](const mpfr& x) { return mpfr(x / (1 - x * time())); }, typed_number(c),
+                                      typed_number(c));
             }
             return found;
         }
@@ -72,8 +74,10 @@ degenerate_set any_equilibrium(choices& next) {
     const std::string c = next.one_in(3) ? "0" : "-" + positive_decimal(next);
     const std::string d = next.one_in(4) && c != "0" ? "0" : positive_decimal(next);
     const std::string t = positive_decimal(next);
-    const truth time = typed(t);
-    const auto value = [&](const std::function<mpfr(const mpfr&)>& of) { return by_value(of, typed(c), typed(d)); };
+    const truth time = typed_number(t);
+    const auto value = [&](const std::function<mpfr(const mpfr&)>& of) {
+        return by_value(of, typed_number(c), typed_number(d));
+    };
     switch (next.below(4)) {
         case 0: return {"x' = -x", c, d, t, value([=](const mpfr& x) { return mpfr(x * exp(mpfr(-time()))); })};
         case 1:
@@ -83,13 +87,13 @@ degenerate_set any_equilibrium(choices& next) {
             const std::string e = fmt::format("0.{:03}", next.between(500, 999));
             const std::string f = fmt::format("1.{:03}", next.between(0, 300));
             return {"x' = x*(1 - x)", e, f, t,
-                    by_value([=](const mpfr& x) { return mpfr(x / (x + (1 - x) * exp(mpfr(-time())))); }, typed(e),
-                             typed(f))};
+                    by_value([=](const mpfr& x) { return mpfr(x / (x + (1 - x) * exp(mpfr(-time())))); },
+                             typed_number(e), typed_number(f))};
         }
         default: {
             degenerate_set found{"x' = x^2", c, d, t, {}};
             if (typed_fraction(d) > 0) {
-                found.end = [d] { return mpfr(1 / typed(d)()); };
+                found.end = [d] { return mpfr(1 / typed_number(d)()); };
             }
             if (typed_fraction(d) * typed_fraction(t) < 1) {
                 found.sign = value([=](const mpfr& x) { return mpfr(x / (1 - x * time())); });
@@ -101,7 +105,7 @@ degenerate_set any_equilibrium(choices& next) {
 
 // Equations that have no solution, or several, from a point of the set; or poles of the right-hand side beside the real
 // axis, where there is one from each point: H(x(t)) = H(x(0)) + t for an increasing H.
-degenerate_set any_singular(choices& next) {
+degenerate_set set_around_singularity(choices& next) {
     const std::string c = "-" + positive_decimal(next);
     const std::string d = positive_decimal(next);
     const std::string t = positive_decimal(next);
@@ -111,7 +115,7 @@ degenerate_set any_singular(choices& next) {
     const rational square(1, next.between(2, 400));
     const auto implicit = [&](const std::function<mpfr(const mpfr&)>& h) {
         return [=](const rational& b, int end) {
-            return sign_of([&] { return mpfr(h(real(b)) - h(typed(end < 0 ? c : d)()) - typed(t)()); });
+            return sign_of([&] { return mpfr(h(real(b)) - h(typed_number(end < 0 ? c : d)()) - typed_number(t)()); });
         };
     };
     switch (next.below(3)) {
@@ -135,15 +139,17 @@ degenerate_set any_scaled(choices& next) {
     const std::string c = fmt::format("{}e{}", next.between(1, 9), p);
     const std::string d = fmt::format("{}e{}", next.between(10, 19), p);
     const std::string t = positive_decimal(next);
-    const truth time = typed(t);
+    const truth time = typed_number(t);
     if (next.one_in(2)) {
         const std::string low = next.one_in(2) ? "-" + d : c;
-        return {"x' = -x", low, d, t,
-                by_value([=](const mpfr& x) { return mpfr(x * exp(mpfr(-time()))); }, typed(low), typed(d))};
+        return {
+            "x' = -x", low, d, t,
+            by_value([=](const mpfr& x) { return mpfr(x * exp(mpfr(-time()))); }, typed_number(low), typed_number(d))};
     }
     const std::string rate = fmt::format("1e{}", -p);
     return {"x' = -a*x^2; a = " + rate, c, d, t,
-            by_value([=](const mpfr& x) { return mpfr(x / (1 + typed(rate)() * x * time())); }, typed(c), typed(d))};
+            by_value([=](const mpfr& x) { return mpfr(x / (1 + typed_number(rate)() * x * time())); }, typed_number(c),
+                     typed_number(d))};
 }
 
 // Some solutions end before the time, or the bounds hold.
@@ -154,7 +160,8 @@ degenerate_set any_blow_up(choices& next) {
     const truth upper = [q = rational(d)] { return real(q); };
     degenerate_set found{"x' = x^2", c, d, t, {}, [=] { return mpfr(1 / upper()); }};
     if (rational(d) * typed_fraction(t) < 1) {
-        found.sign = by_value([=](const mpfr& x) { return mpfr(x / (1 - x * typed(t)())); }, typed(c), upper);
+        found.sign =
+            by_value([=](const mpfr& x) { return mpfr(x / (1 - x * typed_number(t)())); }, typed_number(c), upper);
     }
     return found;
 }
@@ -165,7 +172,7 @@ degenerate_set any_set(choices& next) {
         case 1: return any_equilibrium(next);
         case 2: return any_scaled(next);
         case 3: return any_blow_up(next);
-        default: return any_singular(next);
+        default: return set_around_singularity(next);
     }
 }
 
@@ -174,7 +181,7 @@ void add_refusal(outcome& result, const degenerate_set& set, const std::string& 
     const refusal_facts facts = facts_of(message);
     const bool one_line = std::ranges::count(message, '\n') == 1;
     const bool exists = !facts.exists_up_to || !set.end ||
-                        sign_of([&] { return mpfr((*set.end)() - typed(*facts.exists_up_to)()); }) >= 0;
+                        sign_of([&] { return mpfr((*set.end)() - typed_number(*facts.exists_up_to)()); }) >= 0;
     result.add(one_line && exists ? verdict::refused : verdict::wrong, message);
 }
 

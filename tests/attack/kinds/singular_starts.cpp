@@ -16,7 +16,7 @@ struct singular_problem {
     function value;
 };
 
-singular_problem any_singular(choices& next) {
+singular_problem any_singular_start(choices& next) {
     const constant c = any_constant(next);
     const constant k = next.one_in(3) ? constant{"pi", pi_value} : any_constant(next);
     switch (next.below(4)) {
@@ -47,7 +47,7 @@ std::string unit_beside(choices& next) {
 }  // namespace
 
 outcome ask_singular_start(choices& next) {
-    const singular_problem problem = any_singular(next);
+    const singular_problem problem = any_singular_start(next);
     const bool exists = next.one_in(2);
     const std::string start = exists ? problem.start : problem.start + unit_beside(next);
     const std::string text = fmt::format(fmt::runtime(problem.text), start);
