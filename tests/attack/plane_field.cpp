@@ -76,7 +76,9 @@ private:
         const rational across_a = u == 0 ? a.u : a.v;
         const rational across_b = u == 0 ? b.u : b.v;
         if (across_a == 0 && across_b == 0) {
-            return {a, b};
+            const plane_vector written = field_(u, v);
+            return (u == 0 ? written.u : written.v) == 0 ? std::vector<plane_vector>{written}
+                                                         : std::vector<plane_vector>{a, b};
         }
         if (across_a.sign() * across_b.sign() > 0) {
             return {};
@@ -107,6 +109,18 @@ private:
 // When a coordinate that has a sign becomes 0.
 std::optional<rational> time_to_zero(const rational& from, const rational& velocity) {
     return from.sign() * velocity.sign() < 0 ? std::optional<rational>(-from / velocity) : std::nullopt;
+}
+
+// Whether u' or v' is 0 for all signs.
+bool vanishes(const sign_field& field, rational plane_vector::*part) {
+    for (int u = -1; u <= 1; ++u) {
+        for (int v = -1; v <= 1; ++v) {
+            if (field(u, v).*part != 0) {
+                return false;
+            }
+        }
+    }
+    return true;
 }
 
 plane_solution solution(const sign_field& field, bool as_written, plane_vector at, const rational& time) {
@@ -153,8 +167,11 @@ plane_solution caratheodory_solution(const sign_field& field, const plane_vector
     return solution(field, true, start, time);
 }
 
-known_end end_of(const sign_field& field, const plane_vector& start, const rational& time) {
+known_end end_of(const sign_field& given, const plane_vector& start, const rational& time) {
     using number = plane_solution::number;
+    const bool keeps_u = start.u == 0 && vanishes(given, &plane_vector::u);
+    const bool keeps_v = start.v == 0 && vanishes(given, &plane_vector::v);
+    const sign_field field = [&](int u, int v) { return given(keeps_u ? 0 : u, keeps_v ? 0 : v); };
     const plane_solution in_hull = filippov_solution(field, start, time);
     const plane_solution as_written = caratheodory_solution(field, start, time);
     const auto either = [&](number n) { return in_hull.how_many == n || as_written.how_many == n; };

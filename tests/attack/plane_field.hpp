@@ -30,12 +30,14 @@ struct plane_solution {
 
 /// In the sense of Filippov: u', v' in the convex hull of the limits from the quadrants; or of Caratheodory: as written,
 /// at almost all times. By all ways to leave each point that is reached: into a quadrant if its field leads into it,
-/// along a half-axis or at rest if a value of the right-hand side there does. `unknown` if the field turns around the
+/// along a half-axis or at rest if a value of the right-hand side there does; along a half-axis to which the fields of
+/// both sides are tangent as written there, if that is tangent, too. `unknown` if the field turns around the
 /// origin in all quadrants, or after many pieces.
 plane_solution filippov_solution(const sign_field& field, const plane_vector& start, const rational& time);
 plane_solution caratheodory_solution(const sign_field& field, const plane_vector& start, const rational& time);
 
-/// What both have in common.
+/// What both have in common. A u or v that is 0 at first and whose derivative is 0 for all signs stays 0: then the
+/// right-hand side is the one written for 0.
 struct known_end {
     bool is_known = false;
     std::optional<plane_vector> end;  ///< none if there is more than one solution

@@ -21,7 +21,7 @@ struct near_time {
     rational value() const { return 1 + decimal_fraction(units, 61); }
 };
 
-printed_question asked_at(std::vector<near_time> times, const std::function<rational(const near_time&)>& value,
+printed_question asked_at(const std::vector<near_time>& times, const std::function<rational(const near_time&)>& value,
                           const std::string& name) {
     printed_question question;
     question.unknowns = {{name, {}}};

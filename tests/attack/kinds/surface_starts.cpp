@@ -102,7 +102,7 @@ outcome ask_contact(choices& next) {
     question.slides = slides;
     const rational acceleration = rises ? y_above : falls ? z_below : rational(0);
     std::optional<truth> x;
-    if (slides + rises + falls == 1) {
+    if ((slides ? 1 : 0) + (rises ? 1 : 0) + (falls ? 1 : 0) == 1) {
         x = [=] { return real(acceleration * time * time / 2); };
     }
     question.unknowns = {{"x", {x}}};
