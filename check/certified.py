@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """certified.py [--c] [--folder FOLDER] [NAME...]: checks the certificates of a folder, results/certified without
 --folder, or those that are named. It needs Python's standard library alone; with --c a compiler of C, GMP and zlib, for
-check/libration_check.c in place of check/libration_check.py.
+the checker in check/c instead of check/libration_check.py.
 
 For each certificate of MANIFEST: its file has the SHA-256; the checker proves exactly the statement; the
 rows of values.csv are its claims, each value within one unit of its last digit; and where results/reference_problems has
@@ -59,10 +59,10 @@ def read_manifest(path):
 
 
 def checker_in_c(folder):
-    """The command of check/libration_check.c, compiled in a folder."""
+    """The command of the checker in check/c, compiled in a folder."""
     program, compiler = str(pathlib.Path(folder) / "libration_check"), os.environ.get("CC", "cc")
     try:
-        subprocess.run([compiler, "-O2", str(HERE / "libration_check.c"), "-lgmp", "-lz", "-o", program], check=True)
+        subprocess.run([compiler, "-O2", *map(str, sorted((HERE / "c").glob("*.c"))), "-lgmp", "-lz", "-o", program], check=True)
     except (OSError, subprocess.CalledProcessError) as reason:
         raise Failure("--c: %s; install a compiler of C, GMP and zlib (Debian: gcc libgmp-dev zlib1g-dev), or set CC"
                       % reason) from None
@@ -70,7 +70,8 @@ def checker_in_c(folder):
 
 
 def prove(checker, file):
-    """The statement that the checker proves from a file, and its processor seconds."""
+    """The statement that the checker proves from a file, without its last line, which names the variable, and its
+    processor seconds."""
     process = subprocess.Popen([*checker, str(file)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     out = process.stdout.read()
     _, status, used = os.wait4(process.pid, 0)
@@ -78,7 +79,10 @@ def prove(checker, file):
     process.stdout.close()
     if process.returncode != 0 or not out.startswith("Proved:\n"):
         raise Failure(out.strip().replace("\n", "; ") or "the checker ended without a message")
-    return out[len("Proved:\n"):].rstrip("\n"), used.ru_utime + used.ru_stime
+    statement, _, variable = out[len("Proved:\n"):].rpartition("\nThe variable is ")
+    if not re.fullmatch(r"\w+\.\n", variable):
+        raise Failure("the checker does not name the variable")
+    return statement, used.ru_utime + used.ru_stime
 
 
 def claims_of(statement):
@@ -175,7 +179,7 @@ def check_folder(checker, folder, names):
 def main():
     parser = argparse.ArgumentParser(prog="./run check", description="checks the certificates of results/certified")
     parser.add_argument("--folder", type=pathlib.Path, default=HERE.parent / "results" / "certified")
-    parser.add_argument("--c", action="store_true", help="by check/libration_check.c, which is compiled")
+    parser.add_argument("--c", action="store_true", help="by the checker in check/c, which is compiled")
     parser.add_argument("names", nargs="*", metavar="NAME", help="a certificate; all of them without a name")
     given = parser.parse_args()
     try:

@@ -137,7 +137,7 @@ Values of classical test problems, each with a file from which
 ([docs/certificates.md](../../docs/certificates.md)). Made by `python3 check/certify.py build/release/libration`; do not edit.
 
 - `./run check` checks all of them: it needs `python3` alone, compiles nothing and installs nothing. `./run check lorenz` checks one.
-  `./run check --c` uses [check/libration_check.c](../../check/libration_check.c), with a compiler of C, GMP and zlib.
+  `./run check --c` uses [check/c](../../check/c/check.h), with a compiler of C, GMP and zlib.
 - `python3 -I check/libration_check.py results/certified/lorenz.cert` prints what one file proves.
 - [MANIFEST](MANIFEST) has for each file its SHA-256, the command that made it, and the proved statement.
   In this folder `sha256sum -c MANIFEST` compares the sums.

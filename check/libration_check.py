@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
 """libration_check.py FILE: proves the statement of a certificate, or refuses it.
 
-A certificate contains equations, initial values, claims, and a tube around the solution, step by
-step. Here the conditions are checked from which the claims follow, with integers and fractions:
-exactly, or rounded to the safe side. The format and the theorems are in docs/certificates.md.
-Exit status: 0 if the statement is proved, 1 if a condition does not hold, 2 if the file is not a
-certificate of this format.
+A certificate has equations, initial values, claims, and a tube around the solution, step by step.
+The conditions from which the claims follow are checked by integers and fractions: exactly, or
+rounded to the safe side. The format and the theorems are in docs/certificates.md. Exit status: 0 if
+it is proved, 1 if a condition does not hold, 2 if the file is not a certificate of this format.
 """
 import itertools
 import math
@@ -16,7 +15,6 @@ from fractions import Fraction
 
 # ------------------------------------------------------------------------- Limits and refusals
 # Each limit is checked before the work that it bounds. Both checkers have the same.
-
 MOST_TEXT = 2**28  # characters of a certificate
 MOST_FORMULA, MOST_DIGITS = 100_000, 4000  # characters of a formula, digits of an integer
 MOST_NESTING = 150  # signs, exponents and parentheses in one another
@@ -29,8 +27,7 @@ MOST_FACTORS = 400  # of a term
 MOST_UNKNOWNS, MOST_DEFINITIONS = 400, 200  # the unknowns with derivatives and added ones
 MOST_CLAIMS, MOST_ZEROS = 10_000, 10_000
 MOST_BITS, MOST_EXPONENT = 10_000, 20_000  # of bounds and enclosures; of polynomials and radii
-MOST_SHIFT = 2**18  # bits by which the scales of unknowns shift a term
-MOST_COMMON = 2**20  # bits of the common denominator of the equations on a step
+MOST_SHIFT, MOST_COMMON = 2**18, 2**20  # bits of scales of a term, of the common denominator
 MOST_STEP = 2**31  # bits of a product of as many polynomials as a term has factors
 MOST_PARTS = 2000  # of a step, for the sign of a condition
 
@@ -71,25 +68,20 @@ def two(k):
 #     2^-k (a[0] + sum over j > 0 of 2 a[j] T_j(x)) = 2^-k (sum over all j of a[|j|] z^j).
 # So products are products of polynomials in z, and, because |T_j| <= 1 on [-1, 1], the sum of all
 # |a[|j|]|, j positive and negative, is at least |a(x)|.
-
-def norm(a):
-    """At least |a(x)| on [-1, 1]."""
+def norm(a):  # at least |a(x)| on [-1, 1]
     return 2 * sum(map(abs, a)) - abs(a[0]) if a else 0
 
 
-def value(a, x):
-    """a(u/v), by Clenshaw's b_j = a_j + 2 (u/v) b_(j+1) - b_(j+2), times powers of v."""
+def value(a, x):  # a(u/v), by Clenshaw's b_j = a_j + 2 (u/v) b_(j+1) - b_(j+2), times powers of v
     u, v = x.numerator, x.denominator
-    b0 = b1 = b2 = 0
-    power = 1
+    b0, b1, b2, power = 0, 0, 0, 1
     for c in reversed(a):
         b0, b1, b2 = c * power + 2 * u * b0 - v * v * b1, b0, b1
         power *= v
     return Fraction(b0 - v * v * b2, max(power // v, 1))
 
 
-def derivative(a):
-    """The derivative by x: T_k' = 2 k (T_(k-1) + T_(k-3) + ..), T_0 counted by half."""
+def derivative(a):  # the derivative by x: T_k' = 2 k (T_(k-1) + T_(k-3) + ..), T_0 counted by half
     return [sum(2 * k * a[k] for k in range(j + 1, len(a), 2)) for j in range(len(a) - 1)]
 
 
@@ -102,8 +94,7 @@ def add(a, b):
     return [x + y for x, y in zip(a + [0] * (longer - len(a)), b + [0] * (longer - len(b)))]
 
 
-def dot(u, v):
-    """The sum of u[i] v[i], by its value at a z = 256^width of more than twice its coefficients."""
+def dot(u, v):  # the sum of u[i] v[i], by its value at a z of more than twice its coefficients
     pairs = [(a, b) for a, b in zip(u, v) if any(a) and any(b)]
     size = max((len(a) + len(b) for a, b in pairs), default=1) - 1
     width = (sum(norm(a) * norm(b) for a, b in pairs).bit_length() + 9) // 8
@@ -115,7 +106,6 @@ def dot(u, v):
     def at_z(a):
         digits = b"".join((c + half).to_bytes(width, "little") for c in a)
         return int.from_bytes(digits, "little") - halves(len(a))
-
     total = halves(2 * size - 1)
     for a, b in pairs:
         product = at_z(a[:0:-1] + a) * at_z(b[:0:-1] + b)
@@ -133,15 +123,12 @@ def dot(u, v):
 #
 # A tree is a fraction, a name, ("+", [("+" or "-", tree), ..]), ("*", [("*" or "/", tree), ..]),
 # ("^", tree, fraction), or (name of a function, tree).
-
 TOKEN = re.compile(r"([0-9]+|[A-Za-z_][A-Za-z0-9_]*'*|[-+*/^()])")
 NUMBER = r"(-?)([0-9]+)(?:/([0-9]+)|(?:\.([0-9]+))?(?:e([-+]?[0-9]{1,5}))?)"
 RULES = {"exp": "w", "log": "1/u", "sin": "cos(u)", "cos": "-sin(u)"}  # dw/du of functions w of u
 
 
-class Parser:
-    """The tree of a formula, and the numbers of + - * / ^ and calls, and of ^ and calls."""
-
+class Parser:  # `operations` counts + - * / ^ and calls, `functions` ^ and calls
     def __init__(self, text):
         form(len(text) <= MOST_FORMULA, "a formula is too long")
         self.text, self.nesting, self.operations, self.functions = text, 0, 0, 0
@@ -153,8 +140,7 @@ class Parser:
     def understood(self, condition):
         form(condition, "'%s' is not understood", self.text)
 
-    def skip(self, tokens):
-        """Passes the next token if it is one of these."""
+    def skip(self, tokens):  # passes the next token if it is one of these
         if not self.tokens or self.tokens[-1] not in tokens:
             return ""
         self.operations += self.tokens[-1] in "+-*/^"
@@ -167,10 +153,7 @@ class Parser:
         return found[0][1] if len(found) == 1 else (signs[0], found)
 
     def sum(self):
-        return self.parts(self.product, "+-")
-
-    def product(self):
-        return self.parts(self.signed, "*/")
+        return self.parts(lambda: self.parts(self.signed, "*/"), "+-")
 
     def signed(self):
         self.nesting += 1
@@ -205,21 +188,17 @@ class Parser:
         return token, tree
 
 
-def fraction(text):
-    """A number such as -2/3, 25, -0.25 or 1.5e-7."""
+def fraction(text):  # a number such as -2/3, 25, -0.25 or 1.5e-7
     match = re.fullmatch(NUMBER, text)
     form(match, "'%s' is not a number", text)
     sign, whole, below, decimals, exponent = match.groups(default="")
-    digits = max(len(whole) + len(decimals), len(below))
-    form(digits <= MOST_DIGITS, "a number has too many digits")
+    form(max(len(whole + decimals), len(below)) <= MOST_DIGITS, "a number has too many digits")
     form(below == "" or int(below) > 0, "'%s' is not a number", text)
     power = Fraction(10) ** (int(exponent or "0") - len(decimals))
     return Fraction(int(sign + whole + decimals), int(below or "1")) * power
 
 
-class Values:
-    """Values of trees, by operations of polynomials or of intervals."""
-
+class Values:  # of trees, by operations of polynomials or of intervals
     def of(self, tree, names):
         if isinstance(tree, Fraction):
             return self.number(tree)
@@ -235,25 +214,21 @@ class Values:
                 factor = self.of(part, names)
                 result = self.times(result, factor if sign == "*" else self.inverse(factor))
             return result
-        argument = self.of(inside, names)
-        return self.power(argument, tree[2]) if kind == "^" else self.function(kind, argument)
+        x = self.of(inside, names)
+        return self.power(x, tree[2]) if kind == "^" else self.function(kind, x)
 
 
 # ----------------------------------------------------------------- Polynomials in the unknowns
 # A polynomial in the variable (number 0) and the unknowns (1, 2, ..) is a dictionary {product: c}:
 # products are sorted tuples of numbers, in their order, c nonzero fractions.
-
-def collected(terms):
-    """The sum of terms (product, coefficient)."""
+def collected(terms):  # the sum of terms (product, coefficient)
     total = {}
-    for product, c in terms:
-        total[product] = limited(total.get(product, 0) + c)
-    return {product: c for product, c in sorted(total.items()) if c}
+    for m, c in terms:
+        total[m] = limited(total.get(m, 0) + c)
+    return {m: c for m, c in sorted(total.items()) if c}
 
 
-class Algebra(Values):
-    """Values as polynomials. `added`: unknowns for (kind, argument, exponent), by definitions."""
-
+class Algebra(Values):  # `added` has unknowns for (kind, argument, exponent), by definitions
     def __init__(self):
         self.products, self.added = 0, {}
 
@@ -279,8 +254,7 @@ class Algebra(Values):
         form(key in self.added, "no definition is the '%s' that a formula needs", kind)
         return self.added[key]
 
-    def power(self, u, r):
-        """u^r by a whole power, by w = u^(-1/b) for r = a/b, or by an added unknown."""
+    def power(self, u, r):  # by a whole power, by w = u^(-1/b) for r = a/b, or by an added unknown
         a, b, k = r.numerator, r.denominator, max(0, math.ceil(r))
         if b == 1:
             return self.whole_power(u if a >= 0 else self.inverse(u), abs(a))
@@ -296,15 +270,11 @@ class Algebra(Values):
             result = self.times(u, result)
         return result
 
-    def along(self, u, way):
-        """The derivative of u by the chain rule, from those of its factors."""
+    def along(self, u, way):  # the derivative of u by the chain rule, from those of its factors
         terms = []
         for k in sorted({k for product in u for k in product} & set(way)):
-            partial = {}
-            for m, c in u.items():
-                if k in m:
-                    at = m.index(k)
-                    partial[m[:at] + m[at + 1:]] = c * m.count(k)
+            places = [(m, m.index(k)) for m in u if k in m]
+            partial = {m[:at] + m[at + 1:]: u[m] * m.count(k) for m, at in places}
             terms += self.times(partial, way[k]).items()
         return collected(terms)
 
@@ -312,7 +282,6 @@ class Algebra(Values):
 # ---------------------------------------------------------------- Enclosures of initial values
 # Values of formulas as pairs (lower, upper) of fractions, by interval arithmetic. The functions
 # are sums of their series in integers, times 2^-bits.
-
 class Enclosures(Values):
     def __init__(self, bits):
         self.bits = bits
@@ -322,9 +291,9 @@ class Enclosures(Values):
 
     def sum(self, parts):
         low = high = Fraction(0)
-        for sign, (a, b) in parts:
-            low = limited(low + (a if sign > 0 else -b))
-            high = limited(high + (b if sign > 0 else -a))
+        for sign, x in parts:
+            a, b = sorted(sign * end for end in x)
+            low, high = limited(low + a), limited(high + b)
         return low, high
 
     def times(self, x, y):
@@ -355,8 +324,8 @@ class Enclosures(Values):
         return low - (x[1] - x[0]), high + (x[1] - x[0])  # |sin'|, |cos'| <= 1
 
     def entire(self, kind, x):
-        """exp, sin or cos by terms x^j/j!, each with an error below 2 e^|x| units of 2^-bits;
-        that of the argument is one of e^|x|, the rest is below 8."""
+        # exp, sin or cos by terms x^j/j!, each with an error below 2 e^|x| units of 2^-bits; the
+        # argument has one of e^|x|, the rest of the series is below 8.
         form(abs(x) < MOST_ARGUMENT, "a start has an argument that is too large")
         bits = self.bits + 2 * math.ceil(abs(x)) + 40
         factor, terms = math.floor(x * two(bits)), [1 << bits]
@@ -367,36 +336,30 @@ class Enclosures(Values):
         error = (2 * len(terms) + 10) * 3 ** math.ceil(abs(x))
         return (total - error) * two(-bits), (total + error) * two(-bits)
 
-    def odd_series(self, z, sign):
-        """The sum of sign^j z^(2j+1)/(2j+1), |z| <= 1/3; its error: 3 units a power, the rest."""
-        bits = self.bits + 40
-        factor = power = math.floor(z * two(bits))
-        total = count = 0
-        while abs(power) > 1:
-            total += sign**count * (power // (2 * count + 1))
-            count += 1
-            power = (power * factor >> bits) * factor >> bits
-        return total * two(-bits), (4 * count + 16) * two(-bits)
+    def series(self, *terms):
+        # The sum of c arctan(z), sign -1, or c artanh(z), |z| <= 1/3, by sign^j z^(2j+1)/(2j+1),
+        # each with an error of 3 units of 2^-bits, the rest with 16.
+        bits, middle, error = self.bits + 40, 0, 0
+        for c, z, sign in terms:
+            factor = power = math.floor(z * two(bits))
+            total = count = 0
+            while abs(power) > 1:
+                total += sign**count * (power // (2 * count + 1))
+                count += 1
+                power = (power * factor >> bits) * factor >> bits
+            middle, error = middle + c * total, error + abs(c) * (4 * count + 16)
+        return (middle - error) * two(-bits), (middle + error) * two(-bits)
 
-    def log(self, x):
-        """log(2^k m) = 2 artanh((m - 1)/(m + 1)) + 2 k artanh(1/3), 1/2 <= m <= 2."""
+    def log(self, x):  # log(2^k m) = 2 artanh((m - 1)/(m + 1)) + 2 k artanh(1/3), 1/2 <= m <= 2
         k = x.numerator.bit_length() - x.denominator.bit_length()
-        a, error_a = self.odd_series((x - two(k)) / (x + two(k)), 1)
-        b, error_b = self.odd_series(Fraction(1, 3), 1)
-        middle, error = 2 * (a + k * b), 2 * (error_a + abs(k) * error_b)
-        return middle - error, middle + error
+        return self.series((2, (x - two(k)) / (x + two(k)), 1), (2 * k, Fraction(1, 3), 1))
 
-    def pi(self):
-        """16 arctan(1/5) - 4 arctan(1/239)."""
-        a, error_a = self.odd_series(Fraction(1, 5), -1)
-        b, error_b = self.odd_series(Fraction(1, 239), -1)
-        middle, error = 16 * a - 4 * b, 16 * error_a + 4 * error_b
-        return middle - error, middle + error
+    def pi(self):  # 16 arctan(1/5) - 4 arctan(1/239)
+        return self.series((16, Fraction(1, 5), -1), (-4, Fraction(1, 239), -1))
 
 
 # ---------------------------------------------------------------------- Lines of a certificate
-
-class Reader:
+class Reader:  # lists of coefficients have hexadecimal digits
     def __init__(self, text):
         self.lines, self.at = text.split("\n"), 0
 
@@ -405,22 +368,17 @@ class Reader:
         self.at += 1
         return self.lines[self.at - 1]
 
-    def line(self, word):
-        """What follows the word that the next line begins with."""
+    def line(self, word):  # what follows the word that the next line begins with
         line = self.next()
-        begins = line == word or line.startswith(word + " ")
-        form(begins, "line %d: '%s' expected" % (self.at, word))
+        form((line + " ").startswith(word + " "), "line %d: '%s' expected" % (self.at, word))
         return line[len(word) + 1:]
 
-    def all(self, word, most):
-        """The same of all next lines that begin with the word."""
-        end = self.at
-        while end < len(self.lines) and self.lines[end].startswith(word + " "):
-            end += 1
-        form(end - self.at <= most, "there are more than %d lines '%s'" % (most, word))
-        found = [line[len(word) + 1:] for line in self.lines[self.at:end]]
-        self.at = end
-        return found
+    def all(self, word, most):  # the same of all next lines that begin with the word
+        first = self.at
+        while self.at < len(self.lines) and self.lines[self.at].startswith(word + " "):
+            self.at += 1
+        form(self.at - first <= most, "there are more than %d lines '%s'" % (most, word))
+        return [line[len(word) + 1:] for line in self.lines[first:self.at]]
 
     def integers(self, word, count, largest=99_999):
         fields = self.line(word).split(" ")
@@ -430,14 +388,12 @@ class Reader:
         return [int(x) for x in fields]
 
     def coefficients(self):
-        """A list of integers in hexadecimal digits."""
         line = self.next()
         good = re.fullmatch("|-?[0-9a-f]+(?: -?[0-9a-f]+)*", line)
         form(good, "line %d: bad coefficients" % self.at)
         return [int(x, 16) for x in line.split(" ")] if line else []
 
     def section(self, word, exponents, lists):
-        """A line with exponents, and lists of integers."""
         k = self.integers(word, exponents, MOST_EXPONENT)
         return k, [self.coefficients() for _ in range(lists)]
 
@@ -448,10 +404,7 @@ class Reader:
 # not pi, and have no primes, which are derivatives; definitions are _1, _2, .., names of nothing
 # else. Equations and the condition contain the variable and the unknowns, definitions also those
 # before them, starts only pi.
-
-class Claim:
-    """LOW <= NAME(TIME) <= HIGH, for all times from `first` to `last`."""
-
+class Claim:  # LOW <= NAME(TIME) <= HIGH, for all times from `first` to `last`
     def __init__(self, text, problem):
         self.fields = text.split(" ")
         form(len(self.fields) == 4 and self.fields[1] in problem.state, "an unclear claim")
@@ -474,16 +427,14 @@ class Problem:
         self.t0 = fraction(self.t0_text)
         self.read_equations(reader)
         self.defined = [x.split(" = ") for x in reader.all("define", MOST_DEFINITIONS)]
-        good = all(x[0] == "_%d" % k and len(x) == 2 for k, x in enumerate(self.defined, 1))
-        form(good, "the definitions are not of _1, _2, ..")
+        for k, sides in enumerate(self.defined, 1):
+            form(sides[0] == "_%d" % k and len(sides) == 2, "the definitions are not of _1, _2, ..")
         self.condition = (reader.all("condition", 1) or [None])[0]
         self.bits, self.start_bits = reader.integers("bits", 2)
-        good = 16 <= self.bits <= self.start_bits <= MOST_BITS
-        form(good, "the numbers of bits are out of range")
+        form(16 <= self.bits <= self.start_bits <= MOST_BITS, "the bits are out of range")
         self.read_zeros_and_claims(reader)
         (self.steps,) = reader.integers("steps", 1)
-        good = len(self.state) + len(self.defined) <= MOST_UNKNOWNS
-        form(good, "there are too many unknowns")
+        form(len(self.state + self.defined) <= MOST_UNKNOWNS, "there are too many unknowns")
         make_polynomial_form(self)
 
     def add_name(self, name):
@@ -493,17 +444,16 @@ class Problem:
         self.names.append(name)
 
     def read_equations(self, reader):
-        """Sets `equations`; `state`, the names of the unknowns; and their starts."""
         self.equations, self.state = [], []
         for line in reader.all("equation", MOST_UNKNOWNS):
-            sides = line.split(" = ")
+            sides = tuple(line.split(" = "))
             name = sides[0].rstrip("'")
-            order = len(sides[0]) - len(name)
-            form(len(sides) == 2 and order > 0, "an unclear equation")
+            form(len(sides) == 2 and name != sides[0], "an unclear equation")
             self.add_name(name)
+            order = len(sides[0]) - len(name)
             form(len(self.state) + order <= MOST_UNKNOWNS, "there are too many unknowns")
             self.state += [name + "'" * k for k in range(order)]
-            self.equations.append(tuple(sides))
+            self.equations.append(sides)
         self.starts = reader.all("start", MOST_UNKNOWNS)
         form(len(self.starts) == len(self.state), "not one start for each unknown")
         self.vary = (reader.all("vary", 1) or [None])[0]
@@ -525,15 +475,13 @@ class Problem:
         for side in "first", "last":
             distances = [abs(getattr(x, side) - self.t0) for x in self.claims]
             form(distances == sorted(distances), "the claims are not in the order of their times")
-        times, names = [{getattr(x, part) for x in self.claims} for part in ("time", "name")]
-        good = len(times) == 1 and len(names) == len(self.claims)
-        form(self.vary is None or good, "derivatives at several times, or twice")
+        once = len({x.name for x in self.claims}) == len(self.claims)
+        once = once and len({x.time for x in self.claims}) == 1
+        form(self.vary is None or once, "derivatives at several times, or twice")
 
     def head(self, times):
-        """The problem in words, on an interval that has all these times."""
-        ends = sorted([self.t0_text, *times], key=fraction)
+        ends, at = sorted([self.t0_text, *times], key=fraction), self.t0_text
         equations = ",  ".join("%s = %s" % sides for sides in self.equations)
-        at = self.t0_text
         starts = ",  ".join("%s(%s) = %s" % (x, at, y) for x, y in zip(self.state, self.starts))
         parts = equations, starts, ends[0], ends[-1]
         return "solution of\n    %s,\n    %s\nexists on [%s, %s], and\n" % parts
@@ -555,9 +503,7 @@ class Problem:
 # Quotients, powers that are not whole, and functions are added unknowns w of u, a polynomial. Then
 # the equations are polynomials; that of w is u' times dw/du, which is a polynomial in w and further
 # added unknowns. As long as the solution of this system exists, it is that of the equations.
-
-def definition(tree):
-    """Kind, argument and exponent of an added unknown."""
+def definition(tree):  # kind, argument and exponent of an added unknown
     kind, inside = tree[:2] if isinstance(tree, tuple) else ("", [])
     if kind == "*" and [sign for sign, _ in inside] == ["*", "/"] and inside[0][1] == Fraction(1):
         return "/", inside[1][1], Fraction(-1)
@@ -565,8 +511,7 @@ def definition(tree):
     return tree if kind == "^" else (*tree, Fraction(-1))
 
 
-def enclosed_starts(problem, values):
-    """The interval of each start."""
+def enclosed_starts(problem, values):  # the interval of each start
     parsed, functions = [], 0
     for text in problem.starts:
         bracketed = text.startswith("[") and text.endswith("]")
@@ -582,8 +527,7 @@ def enclosed_starts(problem, values):
     return [(min(low), max(high)) for low, high in enclosed]
 
 
-def make_polynomial_form(problem):
-    """Sets `start`, the enclosures of unknowns; `right`, their derivatives; `functions`, g, g'."""
+def make_polynomial_form(problem):  # sets enclosures of the unknowns, their derivatives, g and g'
     algebra, values = Algebra(), Enclosures(problem.start_bits)
     given, count = len(problem.state), len(problem.starts)
     unknowns = [{(k,): Fraction(1)} for k in range(1 + given + len(problem.defined))]
@@ -611,7 +555,7 @@ def make_polynomial_form(problem):
     for k, (kind, exponent, u, w) in enumerate(definitions, given + 1):
         rule = "w^%d" % (exponent.denominator + 1) if exponent.numerator == -1 else "w/u"
         slope = algebra.of(Parser(RULES.get(kind, rule)).tree, {"u": u, "w": w})
-        slope = slope if kind in RULES else algebra.sum([(exponent, slope)])
+        slope = algebra.sum([(1 if kind in RULES else exponent, slope)])
         flow[k] = algebra.times(slope, algebra.along(u, flow))
         by_start[k] = algebra.times(slope, algebra.along(u, by_start))
     for k in range(count + 1, given + 1):
@@ -623,8 +567,8 @@ def make_polynomial_form(problem):
         problem.functions = [g, algebra.along(g, flow)]
         ends = [known[problem.variable]] + start
         exact = all(ends[k][0] == ends[k][1] for m in g for k in m)
-        at_start = sum(c * math.prod(ends[k][0] for k in m) for m, c in g.items())
-        problem.zero_start = exact and at_start == 0
+        total = sum(c * math.prod(ends[k][0] for k in m) for m, c in g.items())
+        problem.zero_start = exact and total == 0
 
 
 # --------------------------------------------------------------------------------------- Steps
@@ -638,7 +582,6 @@ def make_polynomial_form(problem):
 # solution that begins in the set exists on the whole step and is in the tube.
 #
 # Bounds are integers in units of 2^-bits, rounded up. A set is (centre, frame, blocks, radii).
-
 PARTS = 8  # of a step, on each of which the rate of a block is bounded
 
 
@@ -646,19 +589,15 @@ def matrix(n, entry):
     return [[entry(i, j) for j in range(n)] for i in range(n)]
 
 
-def root_up(x):
-    """An integer that is at least the root of the integer x."""
+def root_up(x):  # an integer that is at least the root of the integer x
     return math.isqrt(x - 1) + 1 if x > 0 else 0
 
 
-def size_of(a, rows, columns):
-    """At least the norm of a block of bounds."""
+def size_of(a, rows, columns):  # at least the norm of a block of bounds
     return root_up(sum(a[i][j] ** 2 for i in rows for j in columns))
 
 
-class Step:
-    """The numbers of a step, of the scaled unknowns, with one exponent for each matrix."""
-
+class Step:  # of the scaled unknowns, with one exponent for each matrix
     def __init__(self, reader, problem, begin):
         self.problem, self.begin, self.bits = problem, begin, problem.bits
         self.n = n = len(problem.right)
@@ -681,44 +620,26 @@ class Step:
         form(good, "the radii are not numbers >= 0")
         self.R0, self.R1 = [[self.up(m * two(-e)) for m, e in zip(r, exponents)] for r in radii]
 
-    def up(self, x):
-        """An upper bound of the fraction x as an integer."""
+    def up(self, x):  # an upper bound of the fraction x as an integer
         return -((-x.numerator << self.bits) // x.denominator)
 
-    def bounds(self, a, unit):
-        """Of the polynomials a/unit of a matrix."""
+    def bounds(self, a, unit):  # of the polynomials a/unit of a matrix
         return [[self.up(norm(entry) / unit) for entry in row] for row in a]
 
-    def product(self, a, b):
-        """Of two matrices of bounds."""
+    def product(self, a, b):  # of two matrices of bounds
         columns = list(zip(*b))
         return [[-(-sum(map(int.__mul__, row, c)) >> self.bits) for c in columns] for row in a]
 
-    def radii_at(self, x):
-        return [math.ceil(a + (b - a) * (x + 1) / 2) for a, b in zip(self.R0, self.R1)]
-
-    def right_end(self):
-        """The tube at x = 1."""
+    def right_end(self):  # the tube at x = 1
         x, units = Fraction(1), [two(e) for e in self.scales]
         centre = [value(a, x) * two(-self.kp) * unit for a, unit in zip(self.p, units)]
         V = [[value(a, x) * two(-self.kv) * unit for a in row] for row, unit in zip(self.V, units)]
         return centre, V, self.blocks, self.R1
 
-    def check(self, old):
-        """All conditions, with `old` as the set in which the step begins."""
-        self.check_frame()
-        self.check_joint(*old)
-        self.scale_equations()
-        self.check_growth()
-
     def check_frame(self):
-        """Sets N1: V^-1 = (1 + N) U with |1 + N| <= N1.
-
-        By Neumann's series for V^-1 = (1 + Z)^-1 U, Z = U V - 1, with bounds z of |Z| of the
-        largest row sum q <= 1/2: |N_ij| <= z_ij + (row sum i of z^2)/(1 - q).
-        """
-        n, k, one = self.n, self.ku + self.kv, 1 << self.bits
-        columns = list(zip(*self.V))
+        # V^-1 = (1 + N) U with |1 + N| <= N1: by Neumann's series for (1 + Z)^-1, Z = U V - 1, with
+        # bounds z of |Z|, row sums q <= 1/2: |N_ij| <= z_ij + (row sum i of z^2)/(1 - q).
+        n, k, one, columns = self.n, self.ku + self.kv, 1 << self.bits, list(zip(*self.V))
         UV = matrix(n, lambda i, j: dot(self.U[i], columns[j]))
         Z = matrix(n, lambda i, j: add(UV[i][j], [-1 << k] if i == j else []))
         z = self.bounds(Z, two(k))
@@ -727,8 +648,7 @@ class Step:
         rest = [-(-(sum(row) << self.bits) // (one - q)) for row in self.product(z, z)]
         self.N1 = matrix(n, lambda i, j: z[i][j] + rest[i] + (one if i == j else 0))
 
-    def check_joint(self, centre, frame, blocks, radii):
-        """The set in which the step begins is in the tube at x = -1."""
+    def check_joint(self, centre, frame, blocks, radii):  # the set is in the tube at -1
         left, units = Fraction(-1), [two(-e) for e in self.scales]
         U = [[value(a, left) * two(-self.ku) for a in row] for row in self.U]
         p = [value(a, left) * two(-self.kp) for a in self.p]
@@ -744,11 +664,8 @@ class Step:
             need(total <= self.R0[b] << self.bits, "start or joint: radius of block %d" % (b + 1))
 
     def scale_equations(self):
-        """Sets the equations in the scaled unknowns, if their products are not too large.
-
-        The time is s + h/2 + (h/4) 2 T_1, a list of integers times 1/q. `terms` are those of the
-        scaled right-hand sides, of g, and of g' times h/2: (equation, product, coefficient).
-        """
+        # The time is s + h/2 + (h/4) 2 T_1, a list of integers times 1/q. `terms` are those of the
+        # scaled right-hand sides, of g, and of g' times h/2: (equation, product, coefficient).
         right, half = self.problem.right + self.problem.functions, self.length / 2
         time, timed = [self.begin + half, half / 2], any(0 in m for f in right for m in f)
         q = math.lcm(*[x.denominator for x in time]) if timed else 1
@@ -772,15 +689,11 @@ class Step:
         form(length * bits <= MOST_STEP, "a step is too large")
         self.unit = self.common << (self.most * self.k)
 
-    def field(self):
-        """p' - g and J = g_Y along p, and bounds of the change of J in the tube.
-
-        p' - g is in parts of `unit`, J in parts of `unit` 2^-k. In the tube |Y_i - p_i| <= rho_i.
-        """
+    def field(self):  # p' - g along p in parts of `unit`; J = g_Y, times 2^-k; bounds of its change
         n, k = self.n, self.k
         radii = list(map(max, self.R0, self.R1))
         self.size_of_V = self.bounds(self.V, two(self.kv))
-        rho = [0]
+        rho = [0]  # in the tube |Y_i - p_i| <= rho_i
         for row in self.size_of_V:
             total = sum(size_of([row], [0], rows) * r for rows, r in zip(self.blocks, radii))
             rho.append(-(-total >> self.bits))
@@ -792,11 +705,9 @@ class Step:
                 products[m] = dot([product(m[:-1])], [self.factors[m[-1]]])
             return products[m]
 
-        def change(m):
-            """Of a product of factors, in the tube."""
+        def change(m):  # of a product of factors, in the tube
             larger = math.prod(reach[j] + rho[j] for j in m) - math.prod(reach[j] for j in m)
             return Fraction(larger, 1 << (self.bits * len(m)))
-
         d = [scaled(derivative(a), self.unit >> k) for a in self.factors[1:]] + [[], []]
         J, change_of_J, changes = matrix(n, lambda i, j: []), matrix(n, lambda i, j: 0), [1, 1]
         for i, m, c in self.terms:
@@ -810,19 +721,15 @@ class Step:
                     rest = m[:at] + m[at + 1:]
                     J[i][j - 1] = add(J[i][j - 1], scaled(product(rest), factor))
                     change_of_J[i][j - 1] += self.up(abs(c) * change(rest))
-        # g and g' along p, a bound of the slope, and of the change in the tube.
-        self.functions = [
-            (scaled(a, -1), norm(derivative(a)), changed * self.unit * two(-self.bits))
-            for a, changed in zip(d[n:], changes)
-        ]
+        self.functions = []  # g and g' along p, bounds of the slope and of the change in the tube
+        for a, changed in zip(d[n:], changes):
+            reach = changed * self.unit * two(-self.bits)
+            self.functions.append((scaled(a, -1), norm(derivative(a)), reach))
         return d[:n], J, change_of_J
 
     def check_growth(self):
-        """(R1_b - R0_b)/2 >= sum_c A_bc r_c + D_b at both ends.
-
-        B = B0 + change, where B0 = U (J V - V') is known as polynomials, and the change in the
-        tube, with that by N, is at most C - |B0|, C = N1 (|B0| + |U| change_of_J |V|).
-        """
+        # (R1_b - R0_b)/2 >= sum_c A_bc r_c + D_b at both ends. B = B0 + change, B0 = U (J V - V'),
+        # and the change is at most C - |B0|, C = N1 (|B0| + |U| change_of_J |V|).
         n, (d, J, change_of_J) = self.n, self.field()
         defect = self.bounds([[dot(u, d)] for u in self.U], self.unit * two(self.ku))
         defect = self.product(self.N1, defect)
@@ -846,26 +753,20 @@ class Step:
                 within = 2 * growth <= (self.R1[b] - self.R0[b]) << self.bits
                 need(within, "growth of the radius of block %d at the %s end" % (b + 1, end))
 
-    def above(self, a, unit):
-        """Upper bounds of a(x)/unit on each part of [-1, 1], by the value in its middle."""
-        slope = Fraction(norm(derivative(a)), PARTS)
-        middles = [Fraction(2 * k + 1 - PARTS, PARTS) for k in range(PARTS)]
-        return [self.up((value(a, x) + slope) / unit) for x in middles]
-
     def rate(self, B0, rows, unit):
-        """At least the largest eigenvalue of the symmetric part of a block.
-
-        It is that of a matrix ((a, m/2), (m/2, d)): (a + d + sqrt((a - d)^2 + m^2))/2.
-        """
-        i = rows[0]
-        a = self.above(B0[i][i], unit)
-        if len(rows) == 1:
-            return min(self.up(norm(B0[i][i]) / unit), max(a))
-        d, mixed = self.above(B0[i + 1][i + 1], unit), add(B0[i][i + 1], B0[i + 1][i])
-        both = zip(self.above(mixed, unit), self.above(scaled(mixed, -1), unit))
-        m = [max(abs(x), abs(y)) for x, y in both]
-        twice = [x + y + root_up((x - y) ** 2 + z * z) for x, y, z in zip(a, d, m)]
-        return max(-(-x // 2) for x in twice)
+        # At least the largest eigenvalue of the symmetric part of a block: that of a matrix
+        # ((a, m/2), (m/2, d)) is (a + d + sqrt((a - d)^2 + m^2))/2.
+        def above(a):  # a(x)/unit on each part of [-1, 1], by the value in its middle
+            slope = Fraction(norm(derivative(a)), PARTS)
+            middles = [Fraction(2 * k + 1 - PARTS, PARTS) for k in range(PARTS)]
+            return [self.up((value(a, x) + slope) / unit) for x in middles]
+        i, j = rows[0], rows[-1]
+        if i == j:
+            return min(self.up(norm(B0[i][i]) / unit), max(above(B0[i][i])))
+        mixed = add(B0[i][j], B0[j][i])
+        m = [max(abs(x), abs(y)) for x, y in zip(above(mixed), above(scaled(mixed, -1)))]
+        parts = zip(above(B0[i][i]), above(B0[j][j]), m)
+        return max(-(-(a + d + root_up((a - d) ** 2 + y * y)) // 2) for a, d, y in parts)
 
 
 # ---------------------------------------------------------------------------- Claims and zeros
@@ -877,26 +778,15 @@ class Step:
 # a bound of the slope, plus the change in the tube; it has that of both ends if these are equal and
 # its derivative has a sign. A condition with different signs before and behind an interval, where
 # its derivative has a sign, has one zero there.
-
-class Progress:
-    """Which claims, and which intervals of a condition, are proved: the first ones.
-
-    Interval 0 is before the first zero, 1 has it, 2 is behind it, and so on; the last is a time.
-    """
-
+class Progress:  # so many claims, and intervals before, in and behind zeros, are proved
     def __init__(self, problem):
         self.problem, self.claims, self.interval, self.sign = problem, 0, 0, 0
         pairs = zip(problem.ends, problem.ends[1:] + problem.ends[-1:])
         self.intervals = list(pairs) if problem.zeros else []
 
-    def complete(self):
-        goal = len(self.problem.claims), len(self.intervals)
-        return (self.claims, self.interval) == goal
-
-    def check(self, step):
-        """The claims and intervals, as far as they are in a step."""
-        way = self.problem.ends[-1] - self.problem.t0
-        need(way * step.length >= 0, "the zeros are not in the order of the steps")
+    def check(self, step):  # the claims and intervals, as far as they are in a step
+        forward = (self.problem.ends[-1] - self.problem.t0) * step.length >= 0
+        need(forward, "the zeros are not in the order of the steps")
         for claim in itertools.islice(self.problem.claims, self.claims, None):
             u, v, ends = part(step, claim.first, claim.last)
             if u > v:
@@ -916,40 +806,34 @@ class Progress:
                 break
 
 
-def part(step, first, last):
-    """Two times as values of x, as far as they are in the step, and whether the second one is."""
+def part(step, first, last):  # times as values of x, cut to the step; whether the last is in it
     u, v = [2 * (time - step.begin) / step.length - 1 for time in (first, last)]
     return max(u, Fraction(-1)), min(v, Fraction(1)), v <= 1
 
 
-def check_claim(step, claim, u, v):
-    """On [u, v] the tube is in the interval of the claim."""
+def check_claim(step, claim, u, v):  # on [u, v] the tube is in the interval of the claim
     i, half, x = step.problem.state.index(claim.name), (v - u) / 2, (u + v) / 2
     unit, unit_of_V = two(step.scales[i] - step.kp), two(step.scales[i] - step.kv)
     centre, reach = value(step.p[i], x) * unit, norm(derivative(step.p[i])) * half * unit
-    sizes = [abs(value(a, x)) + norm(derivative(a)) * half for a in step.V[i]]
-    row = [[step.up(size * unit_of_V) for size in sizes]]
-    for block, radius, a, b in zip(step.blocks, step.radii_at(x), step.R0, step.R1):
-        radius += math.ceil(abs(b - a) * half / 2)
+    row = [abs(value(a, x)) + norm(derivative(a)) * half for a in step.V[i]]
+    row = [[step.up(size * unit_of_V) for size in row]]
+    for block, a, b in zip(step.blocks, step.R0, step.R1):
+        radius = math.ceil(a + (b - a) * (x + 1) / 2) + math.ceil(abs(b - a) * half / 2)
         reach += size_of(row, [0], block) * radius * two(-2 * step.bits)
     within = claim.low <= centre - reach and centre + reach <= claim.high
-    names = claim.name, claim.time
-    need(within, "the value of %s at %s is not proved to be in its interval" % names)
+    what = claim.name, claim.time
+    need(within, "the value of %s at %s is not proved to be in its interval" % what)
 
 
-def sure(step, k, u, v):
-    """The sign on [u, v] of the condition, k = 0, or of its derivative, k = 1; 0 if not proved."""
+def sure(step, k, u, v):  # the sign on [u, v] of g, k = 0, or of g', k = 1; 0 if it is not proved
     a, slope, reach = step.functions[k]
     middle = value(a, (u + v) / 2)
-    large = abs(middle) > slope * (v - u) / 2 + reach
-    return large * (1 if middle > 0 else -1)
+    return (abs(middle) > slope * (v - u) / 2 + reach) * (1 if middle > 0 else -1)
 
 
 def sign_on(step, u, v):
-    """The sign of the condition on [u, v], by halves; 0 if it is not proved.
-
-    Where the condition is 0 at the initial time, the sign of its derivative is that behind it.
-    """
+    # The sign of the condition on [u, v], by halves; 0 if it is not proved. Where it is 0 at the
+    # initial time, the sign of its derivative is that behind it.
     starts = step.problem.zero_start and step.begin == step.problem.t0
     _, slope, reach = step.functions[0]
     parts, sign = [(u, v)], 0
@@ -973,9 +857,7 @@ def sign_on(step, u, v):
 # -------------------------------------------------------------------------------- Certificates
 # If each step begins in the tube of the step before, and the first one in the box of the initial
 # values, the solution exists up to the end of the last step, and is in the tubes.
-
-def check_one(text):
-    """The problem of a certificate that is proved."""
+def check_one(text):  # the problem of a certificate that is proved
     reader = Reader(text)
     problem = Problem(reader)
     progress, time, boxes, n = Progress(problem), problem.t0, problem.start, len(problem.start)
@@ -986,18 +868,21 @@ def check_one(text):
         try:
             step = Step(reader, problem, time)
             form(direction * step.length >= 0, "a step in the other direction")
-            step.check(state)
+            step.check_frame()
+            step.check_joint(*state)
+            step.scale_equations()
+            step.check_growth()
             progress.check(step)
         except Refused as reason:
             raise type(reason)("step %d: %s" % (number, reason)) from None
         time, state, direction = time + step.length, step.right_end(), step.length
     form(reader.lines[reader.at:] == ["end", ""], "the steps do not end with 'end'")
-    need(progress.complete(), "no step contains the time of a claim or a zero")
+    done = progress.claims == len(problem.claims) and progress.interval == len(progress.intervals)
+    need(done, "no step contains the time of a claim or a zero")
     return problem
 
 
-def check(text):
-    """The proved statement; of several certificates and conditions, that of a root."""
+def check(text):  # the proved statement; of several certificates and conditions, that of a root
     *parts, rest = text.split("\nend\n")
     if len(parts) <= 1:
         return check_one(text).statement()
@@ -1012,87 +897,70 @@ def check(text):
 # then F = 0 for exactly one of these u. F(m) is in the intervals of the first certificate; column j
 # of F' is in those of certificate j + 1, derivatives by the start of unknown j; if the time is an
 # unknown, the last column has the derivatives by it.
-
-def time_of(problems):
-    """The time of all claims."""
-    times = {claim.time for problem in problems for claim in problem.claims}
-    form(len(times) == 1, "claims at different times")
-    return times.pop()
-
-
-def unknowns_of(problems, middle, ends):
-    """The starts that differ, and the unknowns: name, m, and both ends as texts."""
+def unknowns_of(problems, middle, ends):  # the starts that differ; name, m and ends of unknowns
     point, near, *others = problems
-    same = all((x.variable, x.t0, x.equations) == (near.variable, near.t0, near.equations)
-               for x in problems) and (":" in ends or fraction(middle) == fraction(ends))
-    need(same, "certificates that are not of one problem")
+    heads = [(x.equations, x.variable, x.t0) for x in problems]
+    same = ":" in ends or fraction(middle) == fraction(ends)
+    need(same and heads == heads[:1] * len(heads), "certificates that are not of one problem")
     moved = [k for k, x in enumerate(point.starts) if x != near.starts[k]]
     match = [x.vary for x in problems] == [None] + [point.state[k] for k in moved]
     match = match and all(x.starts == near.starts for x in others)
     need(match, "starts that do not match")
-    found = []
-    for k in moved:
-        form(near.starts[k].startswith("["), "no interval of starts")
-        name = "%s(%s)" % (point.state[k], point.t0_text)
-        found.append((name, point.starts[k], near.starts[k][1:-1].split(", ")))
+    form(all(near.starts[k].startswith("[") for k in moved), "no interval of starts")
+    found = [("%s(%s)" % (point.state[k], point.t0_text), point.starts[k],
+              near.starts[k][1:-1].split(", ")) for k in moved]
     if ":" in ends:
         found.append((point.variable, middle, sorted(ends.split(":"), key=fraction)))
     return moved, found
 
 
-def rate(near, claims, name):
-    """The derivative of an unknown by the time, from the unknowns with claims."""
-    known = {x: claims[x] for x in near.state[:len(near.starts)] if x in claims}
-    for left, text in near.equations:
-        if left == name + "'":
-            return Enclosures(near.bits).of(Parser(text).tree, known)
-    form(name + "'" in known, "no claim about '%s'", name + "'")
-    return known[name + "'"]
-
-
-def differences(problems, goals, moved, ends):
-    """F and the columns of its derivative as intervals."""
+def differences(problems, goals, moved, ends):  # F, and columns of its derivative as intervals
+    (point, near), F, columns = problems[:2], [], [[] for _ in moved]
     claims = [{x.name: (x.low, x.high) for x in problem.claims} for problem in problems]
-    point, F, columns = problems[0], [], [[] for _ in moved]
+
+    def claimed(number, name):
+        form(name in claims[number], "no claim about '%s'", name)
+        return claims[number][name]
+
+    def rate(name):  # the derivative of an unknown by the time, from the unknowns with claims
+        known = {x: claims[1][x] for x in near.state[:len(near.starts)] if x in claims[1]}
+        for left, text in near.equations:
+            if left == name + "'":
+                return Enclosures(near.bits).of(Parser(text).tree, known)
+        return claimed(1, name + "'")
     for _, name, goal, *_ in goals:
         start = point.start[point.state.index(name)]
         low, high = start if goal == "start" else (fraction(goal),) * 2
-        form(name in claims[0], "no claim about '%s'", name)
-        F.append((claims[0][name][0] - high, claims[0][name][1] - low))
-        for column, k, known in zip(columns, moved, claims[1:]):
-            form("d(%s)" % name in known, "no claim about '%s'", "d(%s)" % name)
+        F.append((claimed(0, name)[0] - high, claimed(0, name)[1] - low))
+        for number, k in enumerate(moved):
             less = goal == "start" and point.state[k] == name
-            column.append(tuple(end - less for end in known["d(%s)" % name]))
-    if ":" in ends:
-        columns.append([rate(problems[1], claims[1], goal[1]) for goal in goals])
-    return F, columns
+            column = claimed(number + 1, "d(%s)" % name)
+            columns[number].append([end - less for end in column])
+    return F, columns + [[rate(goal[1]) for goal in goals] for _ in range(":" in ends)]
 
 
-def distance(c, intervals, y):
-    """At least |sum c_i x_i - y|, for x_i in the intervals."""
+def distance(c, intervals, y):  # at least |sum c_i x_i - y|, for x_i in the intervals
     ends = [sorted((k * a, k * b)) for k, (a, b) in zip(c, intervals)]
     return max(abs(sum(x[side] for x in ends) - y) for side in (0, 1))
 
 
-def check_root(problems, rest):
-    """The statement of a root."""
+def check_root(problems, rest):  # the statement of a root
     goals = [line.split(" ") for line in rest.split("\n")]
     form(goals.pop() == [""], "the conditions do not end with a line")
-    middle, ends = time_of(problems[:1]), time_of(problems[1:])
+    times = [{c.time for x in group for c in x.claims} for group in (problems[:1], problems[1:])]
+    form([len(x) for x in times] == [1, 1], "claims at different times")
+    (middle,), (ends,) = times
     moved, unknowns = unknowns_of(problems, middle, ends)
     point, n = problems[0], len(unknowns)
     good = [[x[0], len(x)] for x in goals] == [["root", n + 3]] * n
-    good = good and all(x[1] in point.state for x in goals)
-    form(good, "not one condition for each unknown")
+    form(good and {x[1] for x in goals} <= {*point.state}, "not one condition for each unknown")
     F, columns = differences(problems, goals, moved, ends)
-    radii = []
-    for _, *texts in unknowns:
-        m, (a, b) = fraction(texts[0]), map(fraction, texts[1])
-        radii.append(max(Fraction(0), min(m - a, b - m)))
+    boxes = [(fraction(m), fraction(a), fraction(b)) for _, m, (a, b) in unknowns]
+    radii = [max(Fraction(0), min(m - a, b - m)) for m, a, b in boxes]
     for i, goal in enumerate(goals):
         C = [fraction(x) for x in goal[3:]]
-        total = distance(C, F, 0)
-        total += sum(distance(C, x, i == j) * radii[j] for j, x in enumerate(columns))
+        parts = [distance(C, x, i == j) * radii[j] for j, x in enumerate(columns)]
+        total = distance(C, F, 0) + sum(parts)
         need(total < radii[i], "the condition for a root in %s" % unknowns[i][0])
     at, t0 = point.variable if ":" in ends else middle, point.t0_text
     box = ", ".join("%s in [%s, %s]" % (x, *texts) for x, _, texts in unknowns)
@@ -1103,9 +971,7 @@ def check_root(problems, rest):
 
 
 # ------------------------------------------------------------------------------------ The file
-
-def text_of(content):
-    """The text of a certificate from the bytes of its file, which is the compression."""
+def text_of(content):  # the text of a certificate, of which a file is the compression
     stream = zlib.decompressobj()
     try:
         text = stream.decompress(content, MOST_TEXT + 1)
@@ -1122,12 +988,11 @@ def main():
     try:
         form(len(sys.argv) == 2, "usage: libration_check FILE")
         with open(sys.argv[1], "rb") as file:
-            content = file.read()
-        print("Proved:\n" + check(text_of(content)))
+            print("Proved:\n" + check(text_of(file.read())))
     except (Refused, OSError) as reason:
-        unreadable = "the file cannot be read"
-        print("Not proved: %s" % (unreadable if isinstance(reason, OSError) else reason))
-        return getattr(reason, "status", 2)
+        unread = isinstance(reason, OSError)
+        print("Not proved: %s" % ("the file cannot be read" if unread else reason))
+        return 2 if unread else reason.status
     return 0
 
 

@@ -145,7 +145,8 @@ endif()
 # The checker of certificates in C, which shares no code with the library, for --check; those who check a certificate of
 # others take it from the source.
 enable_language(C)
-add_executable(libration-check ${PROJECT_SOURCE_DIR}/check/libration_check.c)
+file(GLOB checker_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/check/c/*.c)
+add_executable(libration-check ${checker_sources})
 set_target_properties(libration-check PROPERTIES C_STANDARD 11 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF UNITY_BUILD OFF)
 target_compile_options(libration-check PRIVATE -Wno-sign-conversion)
 target_link_libraries(libration-check PRIVATE PkgConfig::gmp ZLIB::ZLIB libration-warnings)

@@ -19,7 +19,7 @@ by_integers() { "$build/libration-attack" print 10000 | "$python" "$tests/attack
 
 both_checkers() { # FOLDER
     local second=("$python" "$tests/certificates/second.py") certificates=("$1"/{pendulum,stiff,zeros,root}.cert)
-    gcc -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all "$tests/../check/libration_check.c" -lgmp -lz \
+    gcc -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all "$tests"/../check/c/*.c -lgmp -lz \
         -o "$1/sanitized" &&
         "${second[@]}" --mutations 200 --seed 2 "$1/sanitized" "${certificates[@]}" "$1/orbit.cert" &&
         "${second[@]}" --mutations 2500 --attacks --conditions gcc "$build/libration-check" "${certificates[@]}"

@@ -87,7 +87,7 @@ static void read_definitions(Reader* r, Problem* p) {
     p->start_bits = both[1];
     bits = p->bits;
     good = 16 <= p->bits && p->bits <= p->start_bits && p->start_bits <= MOST_BITS;
-    form(good, "the numbers of bits are out of range");
+    form(good, "the bits are out of range");
 }
 
 static void read_zeros(Reader* r, Problem* p) {

@@ -27,6 +27,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[1] / "check"))
 import libration_check as checker  # noqa: E402
 
+sys.setrecursionlimit(10000)  # of judge.py
 SECONDS = 30  # of a check, with room for a machine that is busy
 RESERVED = ["pi", "e", "exp", "log", "sin", "sqrt", "t", "s", "y'", "x'", "y''", "_1", "_2", "_", "1", "", "d(y)", "#1"]
 # Lines for equations and starts, and the conditions of roots and of events.
@@ -186,7 +187,7 @@ class Forger:
             "%s + 0*y", "%s*1", "(%s)", "%s + 1/1000", "%s - 0", "-(-(%s))", "%s^1", "%s/1", "exp(%s, ^pi)", "%s'1", "%s 1",
             "%s^2^3^4", "((10^10000)^10000)^10000", "exp(999)" + "+exp(998)" * 99, "log(2)" + "*log(2)" * 60, "1" * 35 + ";",
             "1" * 60 + "x" + "1" * 60 + "!", "(1+y+y^2)^100", "((1+y)^100)^4 - ((1+y)^100)^4 + %s", "(" * 140 + "%s" + ")" * 140,
-            "(" * 160 + "%s" + ")" * 160, "+".join(["%s"] * 3000) + "-2999*(%s)", "y^(1/10^500)", "y^(10^90)", "%s**1", "%s//1",
+            "(" * 160 + "%s" + ")" * 160, "+".join(["%s"] * 300) + "-299*(%s)", "y^(1/10^500)", "y^(10^90)", "%s**1", "%s//1",
             "1e0*(%s)", "0x1*(%s)", "pi*(%s)/pi", "sum(%s)", "product(%s)", "tan(%s)", "sqrt(%s)", "%s + t - t", "1/(y-y) + %s"])
         lines[at] = lines[at][:begin] + new.replace("%s", old)
         return "\n".join(lines)

@@ -28,6 +28,11 @@ class Formula:
             if name not in names and name not in KNOWN:
                 raise Unread("'%s' in '%s' is not a name of the problem" % (name, text))
         code = re.sub(r"[\d.]+(?:e-?\d+)?|" + NAME.pattern, self.token, text).replace("^", "**")
+        while "((" in code:  # of pairs of parentheses one is sufficient, as far as Python is concerned
+            shorter = re.sub(r"\(\(([^()]*)\)\)", r"(\1)", code)
+            if shorter == code:
+                break
+            code = shorter
         self.code = compile(code, text, "eval")
 
     def token(self, match):
@@ -192,6 +197,7 @@ def falsehood(text):
             check_root(text, variable)
         else:
             check_values(text, variable)
-    except (Unread, ValueError, ArithmeticError, AttributeError, LookupError, TypeError, SyntaxError, StopIteration) as reason:
+    except (Unread, ValueError, ArithmeticError, AttributeError, LookupError, TypeError, SyntaxError, StopIteration,
+            RecursionError) as reason:
         return "%s: %s" % (type(reason).__name__, reason)
     return ""

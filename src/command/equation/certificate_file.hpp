@@ -25,7 +25,7 @@ void certify_root(const std::string& path, const problem& of, const std::vector<
                   const std::vector<std::string>& conditions, const answer& found, const request& how);
 void certify_orbit(const std::string& path, const problem& of, const answer& found, const request& how);
 
-/// Runs libration-check, a program in integers that shares no code with the library (check/libration_check.c), on the
+/// Runs libration-check, a program in integers that shares no code with the library (check/c), on the
 /// file. Throws error of the kind undecided with the first condition that fails, and if the program is not found.
 void check_certificate(const std::string& path);
 

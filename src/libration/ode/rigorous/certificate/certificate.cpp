@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "certificate_limits.hpp"
 #include "certificate_problem.hpp"
 #include "certificate_zeros.hpp"
 #include "certified_run.hpp"
@@ -177,6 +178,9 @@ std::string certificate_of(const explicit_system& system, const certified_statem
     for (int run = 0; run < most_certificate_runs && choice.bits <= most_certificate_bits; ++run) {
         certified_run by(system, claimed.form(), choice);
         const auto lacking = claimed.lacking_bits_of(by, watch);
+        if (by.bits_of_bounds() + more_bits_of_start > most_certified_bits) {
+            break;
+        }
         if (choice.rounds && lacking == 0) {
             return "libration-certificate 1\n" + head + "bits " + std::to_string(by.bits_of_bounds()) + " " +
                    std::to_string(by.bits_of_bounds() + more_bits_of_start) + "\n" + claimed.text() + "steps " +

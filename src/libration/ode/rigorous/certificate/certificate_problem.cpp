@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "certificate_limits.hpp"
 #include "certificate_text.hpp"
 #include "libration/ode/node_values.hpp"
 
@@ -12,11 +13,8 @@ namespace libration::ode {
 
 namespace {
 
-constexpr std::size_t longest_formula = 100'000;
-
-[[noreturn]] void refuse_problem(const std::string& what, const std::string& remedy) {
-    throw error(error_kind::argument, "certificate", "", what + ": " + remedy);
-}
+constexpr int most_certified_power = 100;
+constexpr unsigned most_exponent_bits = 1000;
 
 // How tightly the outermost operation of a text binds.
 enum class binding { sum, product, power, operand };
@@ -40,13 +38,15 @@ public:
 
     std::string of(const expression& whole) const {
         node_values<formula_part> done;
-        return done.of(whole, [&](const expression& e) { return limited(text_of(e, done)); }).text;
+        std::string text = done.of(whole, [&](const expression& e) { return limited(text_of(e, done)); }).text;
+        require_certified_formula(text);
+        return text;
     }
 
 private:
     static formula_part limited(formula_part made) {
-        if (made.text.size() > longest_formula) {
-            refuse_problem("does not contain formulas as long as those of these equations", "leave it out");
+        if (made.text.size() > longest_certified_formula) {
+            require_certified_formula(made.text);
         }
         return made;
     }
@@ -71,8 +71,8 @@ private:
     static formula_part text_of_constant(const expression& e) {
         const auto q = e.fraction();
         if (!q) {
-            refuse_problem("contains only fractions as constants, and these equations have another one",
-                           "replace it by a fraction, or leave the certificate out");
+            refuse_certificate("contains only fractions as constants, and these equations have another one",
+                               "replace it by a fraction, or leave the certificate out");
         }
         return text_of_fraction(*q);
     }
@@ -94,6 +94,13 @@ private:
 
     static formula_part power(const formula_part& base, const expression& exponent) {
         const formula_part by = text_of_constant(exponent);
+        const rational r = abs(*exponent.fraction());
+        if ((denominator(r) == 1 && r > most_certified_power) ||
+            msb(integer(numerator(r) * denominator(r) + 1)) >= most_exponent_bits) {
+            refuse_certificate("contains whole powers up to " + std::to_string(most_certified_power) +
+                                   ", and these equations have ^" + by.text.substr(0, 20),
+                               "write it as a product of powers, or leave the certificate out");
+        }
         return {base.within(binding::operand) + "^" + by.within(binding::operand), binding::power};
     }
 
@@ -105,9 +112,9 @@ private:
         if (std::ranges::find(contained, e.function()) != contained.end()) {
             return {std::string(name_of(e.function())) + "(" + argument.text + ")"};
         }
-        refuse_problem("contains the functions exp, log, sin, cos, sqrt and powers, and these equations have " +
-                           std::string(name_of(e.function())),
-                       "leave it out");
+        refuse_certificate("contains the functions exp, log, sin, cos, sqrt and powers, and these equations have " +
+                               std::string(name_of(e.function())),
+                           "leave it out");
     }
 
     std::string variable_;
@@ -118,12 +125,14 @@ private:
 std::string start_text(const number& value, const std::string& name) {
     const auto plain = value.plain();
     if (plain && plain->measure == unit::one) {
+        require_certified_formula(plain->coefficient.str());
         return plain->coefficient.str();
     }
     if (plain && plain->measure == unit::pi) {
+        require_certified_formula(plain->coefficient.str());
         return plain->coefficient.str() + "*pi";
     }
-    refuse_problem(
+    refuse_certificate(
         "contains fractions and multiples of pi as initial values, and that of " + name + " is another number",
         "replace it by a fraction, or leave the certificate out");
 }
@@ -157,8 +166,8 @@ bool holds_at_start(const explicit_system& system, const expression& condition) 
         return true;
     });
     if (at_start.is(0) && !exact) {
-        refuse_problem("contains conditions that hold at the initial point if its values are fractions there",
-                       "choose another initial point");
+        refuse_certificate("contains conditions that hold at the initial point if its values are fractions there",
+                           "choose another initial point");
     }
     return at_start.is(0);
 }
@@ -167,8 +176,13 @@ std::string problem_of_certificate(const explicit_system& system, const lifted_s
                                    const certified_statement& statement) {
     const auto point = system.point().fraction();
     if (!point) {
-        refuse_problem("contains a fraction as initial time, and this one is another number",
-                       "choose a fraction, or leave the certificate out");
+        refuse_certificate("contains a fraction as initial time, and this one is another number",
+                           "choose a fraction, or leave the certificate out");
+    }
+    require_certified_formula(point->str());
+    require_certified_name(system.variable());
+    for (const unknown_function& each : system.unknowns()) {
+        require_certified_name(each.name);
     }
     const auto state = names_of_state(system);
     std::map<std::string, std::string> names;
@@ -196,6 +210,11 @@ std::string problem_of_certificate(const explicit_system& system, const lifted_s
     text += statement.varied ? "vary " + state[*statement.varied] + "\n" : "";
     names.clear();
     const auto given = certified_names(system, statement);
+    require_at_most(given.size() + form.added.size(), most_certified_unknowns,
+                    "unknowns, with derivatives and functions");
+    require_at_most(form.added.size(), most_certified_definitions, "functions, quotients and roots");
+    require_at_most(statement.values.size(), most_certified_claims, "values");
+    require_at_most(statement.zeros ? statement.zeros->times.size() : 0, most_certified_zeros, "zeros");
     for (std::size_t k = 0; k < form.leaves.size(); ++k) {
         names.emplace(form.leaves[k].name(), k < given.size() ? given[k] : "_" + std::to_string(k - form.given + 1));
     }
