@@ -12,14 +12,14 @@ TEST_CASE("an expression is identically 0 if all its coefficients are", "[ode][i
     const auto x = unknown("x");
     const auto v = unknown("v");
     const auto t = variable();
-    CHECK(is_identically_zero(expression()));
+    CHECK(is_identically_zero(ode::expression()));
     CHECK(is_identically_zero(2 * x * v - 2 * v * x));
     CHECK(is_identically_zero(pow(x + v, 3) - (pow(x, 3) + 3 * x * x * v + 3 * x * v * v + pow(v, 3))));
     CHECK(is_identically_zero(sin(x) * t - t * sin(x)));
     CHECK(is_identically_zero((x + 1) * (1 / v) - x / v - 1 / v));
-    CHECK(is_identically_zero(sqrt(expression(2)) * x * sqrt(expression(2)) - 2 * x));
+    CHECK(is_identically_zero(sqrt(ode::expression(2)) * x * sqrt(ode::expression(2)) - 2 * x));
     CHECK_FALSE(is_identically_zero(x));
-    CHECK_FALSE(is_identically_zero(expression(rational(1, 1'000'000'000)) * x));
+    CHECK_FALSE(is_identically_zero(ode::expression(rational(1, 1'000'000'000)) * x));
     CHECK_FALSE(is_identically_zero(x * x - v * v));
     CHECK_FALSE(is_identically_zero(sin(x) - sin(v)));
     // True, but not found: it proves nothing.
