@@ -13,23 +13,31 @@ namespace libration::attack {
 
 namespace {
 
-// A factor of t that is analytic where its argument u, linear in t, is in (0, 1], and not at u = 0.
-std::string restricted(const std::string& u, choices& next) {
-    constexpr std::array forms{"log({})",         "1/({})",        "sqrt({})",       "({})^(-1/2)",
-                               "({})^(2/3)",      "({})^(5/4)",    "acosh(1+({}))",  "asin(1-({}))",
-                               "acos(1-({}))",    "atanh(1-({}))", "log1p(({})-1)",  "bessel_k(0, {})",
-                               "bessel_y(0, {})", "1/sin({})",     "tan(pi/2-({}))", "lambertw(({}-1)/e)",
-                               "log10({})",       "1/(exp({})-1)", "1/({})^2",       "({})^(-3)"};
-    return fmt::format(fmt::runtime(forms[static_cast<std::size_t>(next.below(forms.size()))]), u);
+// A factor of t that is analytic where its argument u, linear in t, is in (0, 1], and not at u = 0: bounded there or with
+// a logarithm, or infinite like a power.
+constexpr std::array bounded_forms{"log({})",       "sqrt({})",        "({})^(2/3)",      "({})^(5/4)",
+                                   "acosh(1+({}))", "asin(1-({}))",    "acos(1-({}))",    "atanh(1-({}))",
+                                   "log1p(({})-1)", "bessel_k(0, {})", "bessel_y(0, {})", "lambertw((({})-1)/e)",
+                                   "log10({})"};
+constexpr std::array infinite_forms{"1/({})",        "({})^(-1/2)", "1/sin({})", "tan(pi/2-({}))",
+                                    "1/(exp({})-1)", "1/({})^2",    "({})^(-3)"};
+// Functions of it with the same domain; of an infinite factor the last ones have an essential singularity, which no
+// integration approaches in a reasonable time.
+constexpr std::array outer_forms{"(2+({})^2)", "1/(2+({})^2)", "log(2+({})^2)", "sqrt(1+({})^2)", "(({})+cos(t))",
+                                 "atan({})*t", "(t-3)*({})",   "sin({})",       "erf({})",        "(2+sin({}))^(1/3)"};
+constexpr std::size_t forms_with_essential_singularity = 3;
+
+template <std::size_t N>
+std::string filled(const std::array<const char*, N>& forms, std::size_t among, const std::string& by, choices& next) {
+    return fmt::format(fmt::runtime(forms[static_cast<std::size_t>(next.below(among))]), by);
 }
 
-// A function of it with the same domain.
-std::string nested(std::string f, choices& next) {
-    for (long depth = next.below(4); depth > 0; --depth) {
-        constexpr std::array forms{"sin({})",        "(2+({})^2)",       "1/(2+({0})^2)", "log(2+({})^2)",
-                                   "sqrt(1+({})^2)", "(({})+cos(t))",    "atan({})*t",    "(t-3)*({})",
-                                   "erf({})",        "(2+sin({}))^(1/3)"};
-        f = fmt::format(fmt::runtime(forms[static_cast<std::size_t>(next.below(forms.size()))]), f);
+std::string any_factor(const std::string& u, choices& next) {
+    const bool infinite = next.one_in(3);
+    std::string f = infinite ? filled(infinite_forms, infinite_forms.size(), u, next)
+                             : filled(bounded_forms, bounded_forms.size(), u, next);
+    for (auto depth = next.below(4); depth > 0; --depth) {
+        f = filled(outer_forms, outer_forms.size() - (infinite ? forms_with_essential_singularity : 0), f, next);
     }
     return f;
 }
@@ -38,6 +46,7 @@ std::string nested(std::string f, choices& next) {
 struct zero_problem {
     std::string text;
     function value;
+    bool cancels = false;  // two terms, which no method in double shows
 };
 
 zero_problem resting(const std::string& f, choices& next) {
@@ -66,7 +75,7 @@ zero_problem moving(const std::string& f, choices& next) {
         case 1: return {fmt::format("x' = {} + k*({}){}; k = 0", slope, f, start), u.value};
         case 2: return {fmt::format("x' = {} - ({})*z{}; z' = 0; z(0) = 0", slope, f, start), u.value};
         case 3: return {fmt::format("x' = {} + z; z' = z*({}){}; z(0) = 0", slope, f, start), u.value};
-        case 4: return {fmt::format("x' = {0} + ({1}) - ({1}){2}", slope, f, start), u.value};
+        case 4: return {fmt::format("x' = {0} + ({1}) - ({1}){2}", slope, f, start), u.value, true};
         case 5: return {fmt::format("x' = ({0})*(1 + k*({1})){2}; k = m - 1; m = 1", slope, f, start), u.value};
         default: return {fmt::format("x' = {0} + ({1})^k - 1{2}; k = 0", slope, f, start), u.value};
     }
@@ -85,7 +94,7 @@ outcome ask_domain(choices& next) {
     const constant end = any_constant(next);  // of the domain, at time +-end
     const bool forwards = next.one_in(2);
     const std::string u = fmt::format("(1{}t/{})", forwards ? "-" : "+", end.text);
-    const std::string f = nested(restricted(u, next), next);
+    const std::string f = any_factor(u, next);
     const zero_problem problem = next.one_in(2) ? resting(f, next) : moving(f, next);
     const bool beyond = next.one_in(2);
     const auto thousandths = static_cast<long>(std::floor(1000 * end.rough()));
@@ -94,7 +103,7 @@ outcome ask_domain(choices& next) {
     const rational since = forwards ? away : rational(-away);
     const long digits = next.between(1, 30);
     const std::string time = since.str();
-    const bool rounded = next.one_in(4);
+    const bool rounded = next.one_in(4) && !problem.cancels;
     const std::string command =
         fmt::format("libration {} --problem \"{}\" --time={} --digits {}",
                     rounded ? "trajectory --scalar double" : "reference", problem.text, time, digits);
