@@ -28,7 +28,7 @@ MOST_UNKNOWNS, MOST_DEFINITIONS = 400, 200  # the unknowns with derivatives and 
 MOST_CLAIMS, MOST_ZEROS = 10_000, 10_000
 MOST_BITS, MOST_EXPONENT = 10_000, 20_000  # of bounds and enclosures; of polynomials and radii
 MOST_SHIFT, MOST_COMMON = 2**18, 2**20  # bits of scales of a term, of the common denominator
-MOST_STEP = 2**31  # bits of a product of as many polynomials as a term has factors
+MOST_STEP = 2**34  # bits of the products of polynomials on a step
 MOST_PARTS = 2000  # of a step, for the sign of a condition
 
 
@@ -243,8 +243,7 @@ class Algebra(Values):  # `added` has unknowns for (kind, argument, exponent), b
         form(self.products <= MOST_PRODUCTS, "the polynomials have too many terms")
         degree = max(map(len, a), default=0) + max(map(len, b), default=0)
         form(degree <= MOST_FACTORS, "a term has too many factors")
-        pairs = ((m, x, k, y) for m, x in a.items() for k, y in b.items())
-        return collected((tuple(sorted(m + k)), x * y) for m, x, k, y in pairs)
+        return collected((tuple(sorted(m + k)), a[m] * b[k]) for m in a for k in b)
 
     def inverse(self, u):
         return {(): 1 / u[()]} if set(u) == {()} else self.function("/", u)
@@ -683,7 +682,8 @@ class Step:  # of the scaled unknowns, with one exponent for each matrix
                 self.terms.append((i, m, c))
                 self.common = math.lcm(self.common, c.denominator)
                 form(self.common.bit_length() <= MOST_COMMON, "a step is too large")
-        length = self.most * max(map(len, self.factors))
+        length = sum(len(m) + len(set(m)) for _, m, _ in self.terms)
+        length *= self.most * max(map(len, self.factors))
         largest = max([abs(c) for a in self.factors for c in a] + [1])
         bits = self.most * (largest.bit_length() + self.k) + self.common.bit_length()
         form(length * bits <= MOST_STEP, "a step is too large")
@@ -716,11 +716,11 @@ class Step:  # of the scaled unknowns, with one exponent for each matrix
             if i >= n:
                 changes[i - n] += self.up(abs(c) * change(m))
                 continue
-            for at, j in enumerate(m):
-                if j > 0:
-                    rest = m[:at] + m[at + 1:]
-                    J[i][j - 1] = add(J[i][j - 1], scaled(product(rest), factor))
-                    change_of_J[i][j - 1] += self.up(abs(c) * change(rest))
+            for j in sorted(set(m) - {0}):
+                count, at = m.count(j), m.index(j)
+                rest = m[:at] + m[at + 1:]
+                J[i][j - 1] = add(J[i][j - 1], scaled(product(rest), count * factor))
+                change_of_J[i][j - 1] += count * self.up(abs(c) * change(rest))
         self.functions = []  # g and g' along p, bounds of the slope and of the change in the tube
         for a, changed in zip(d[n:], changes):
             reach = changed * self.unit * two(-self.bits)

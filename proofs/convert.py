@@ -6,8 +6,8 @@ proves them from the numbers, or fails. Exit status 1, with one line on stderr, 
 """
 import math
 import pathlib
+import re
 import sys
-import zlib
 from fractions import Fraction
 from math import lcm
 
@@ -22,7 +22,7 @@ class Step:
     def __init__(self, r, n):
         (k,), ((h,),) = r.section("step", 1, 1)
         self.half, scales = (h, -k - 1), r.integers("scale", n)
-        self.sizes = [int(x) for x in r.line("blocks")]
+        self.sizes = [int(x) for x in r.line("blocks").split(" ")]
         (kp,), p = r.section("p", 1, n)
         (kv, v), (ku, u) = r.section("V", n, n * n), r.section("U", n, n * n)
         self.p = [polynomial(a, scales[i] - kp) for i, a in enumerate(p)]
@@ -46,14 +46,14 @@ def fraction_of(m, e):
 
 def claim(problem, c, begin, step):
     """A claim whose time is in the step: the place of the time, and the text of the claim."""
-    time, low, high = (checker.fraction(c[k]) for k in (0, 2, 3))
+    time, low, high = c.first, c.low, c.high
     x = (time - begin) / fraction_of(*step.half) - 1
     if not -1 <= x <= 1:
         return None
     place = Fraction(round(x * 2**502), 2**502)
     unit = lcm(low.denominator, high.denominator)
     return num(*dyadic(place)), "Claim (%d) %d %d (%d) (%d) %d" % (
-        time.numerator, time.denominator, problem.state.index(c[1]), low * unit, high * unit, unit)
+        time.numerator, time.denominator, problem.state.index(c.name), low * unit, high * unit, unit)
 
 
 def start_box(problem, statement):
@@ -76,17 +76,20 @@ def read_steps(r, problem):
         items.append((step, [(c, x) for c, x in found if x]))
         ordered += [c for c, x in found if x]
         begin += 2 * fraction_of(*step.half)
+    if remaining:
+        raise NotCovered("no step contains the time of the claim about %s at %s" % (remaining[0].name, remaining[0].time))
+    checker.form(r.lines[r.at:] == ["end", ""], "the steps do not end with 'end'")
     return items, ordered
 
 
 def convert(text, name):
     r = checker.Reader(text)
     problem = checker.Problem(r)
-    if problem.condition or problem.vary or text.count("\nend\n") > 1:
+    if problem.condition or problem.vary or text.count("\nend\n") != 1 or not text.endswith("\nend\n"):
         raise NotCovered("zeros of a condition, or a root")
     unit = lcm(1, *[c.denominator for f in problem.right for c in f.values()])
     items, ordered = read_steps(r, problem)
-    statement = Statement(problem, unit, ordered, functions_of(problem, text) if len(problem.right) > len(problem.state) else [])
+    statement = Statement(problem, unit, ordered, functions_of(problem) if len(problem.right) > len(problem.state) else [])
     out = ["From Libration Require Import Certificate Functions.", "Local Open Scope Z_scope."]
     out += [definition("u_%d" % f.number, "expr", expression(f.u, 1)) for f in statement.functions]
     out += [x.text() for x in statement.values.values()]
@@ -113,10 +116,10 @@ def convert(text, name):
 
 
 def main():
-    if len(sys.argv) != 3:
-        sys.exit("usage: convert.py CERTIFICATE NAME")
+    if len(sys.argv) != 3 or not re.fullmatch("[a-z][a-z0-9_]*", sys.argv[2]):
+        sys.exit("usage: convert.py CERTIFICATE NAME, a name of small letters, digits and _")
     try:
-        print(convert(zlib.decompress(pathlib.Path(sys.argv[1]).read_bytes()).decode(), sys.argv[2]), end="")
+        print(convert(checker.text_of(pathlib.Path(sys.argv[1]).read_bytes()), sys.argv[2]), end="")
     except (NotCovered, checker.Refused, OSError) as reason:
         sys.exit("convert.py: %s is not covered by the formal proof: %s" % (sys.argv[1], reason))
 

@@ -45,8 +45,7 @@ enum {
     MOST_COMMON = 1 << 20,     // bits of the common denominator of the equations on a step
     MOST_PARTS = 2000          // of a step, for the sign of a condition
 };
-static const long MOST_STEP =
-    1L << 31;  // bits of a product of as many polynomials as a term has factors
+static const long MOST_STEP = 1L << 34;  // bits of the products of polynomials on a step
 
 /* refusal.c */
 extern long step_number;                            // of the step that is checked, or 0

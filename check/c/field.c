@@ -68,8 +68,10 @@ static Term scaled_term(const Step* s, long i, Term t, Q denominator) {
     return t;
 }
 
+/* The bits of all products and sums of products. */
 static void check_size(const Step* s, const Scaling* of) {
     long longest = 0;
+    long operations = 0;
     Q most = q(1);
     for (long i = 0; i <= s->n; ++i) {
         List a = of->factor[i];
@@ -78,9 +80,12 @@ static void check_size(const Step* s, const Scaling* of) {
             if (mpz_cmpabs(a.c + j, mpq_numref(most)) > 0)
                 most = absolute(q_of(a.c + j));
     }
-    long each = size_in_bits(most) + of->k;
-    long total = of->most * each + size_in_bits(of->common);
-    form(of->most * longest * total <= MOST_STEP, "a step is too large");
+    for (const Scaled* x = of->term; x < of->term + of->count; ++x)
+        for (long l = 0; l < x->t.n; ++l)
+            operations += l > 0 && x->t.v[l] == x->t.v[l - 1] ? 1 : 2;
+    long each = of->most * (size_in_bits(most) + of->k) + size_in_bits(of->common);
+    Q total = times(times(q(operations), q(of->most * longest)), q(each));
+    form(at_most(total, q(MOST_STEP)), "a step is too large");
 }
 
 static Scaling scale_equations(const Step* s) {
@@ -146,18 +151,23 @@ static void tube_bounds(const Step* s, const Scaling* of, Field* f, Q* reach, Q*
         rho[i + 1] = up(row_times(f->size_of_V + i * s->n, s->at, s->blocks, radii));
 }
 
-/* Adds the derivatives of a term by the unknowns to J, and the bounds of their changes. */
+/* Adds the derivatives of a term by its different unknowns to J, and the bounds of their changes. */
 static void add_derivatives(Field* f, const Scaled* x, const Scaling* of, Product** known,
                             Q factor, Q* reach, Q* rho) {
-    for (long l = 0; l < x->t.n; ++l) {
-        if (x->t.v[l] == 0)
+    Term t = x->t;
+    for (long l = 0; l < t.n;) {
+        long at = l;
+        while (l < t.n && t.v[l] == t.v[at])
+            ++l;
+        if (t.v[at] == 0)
             continue;
-        long n = f->n;
-        long entry = x->i * n + x->t.v[l] - 1;
-        Term rest = without(x->t, l);
+        long entry = x->i * f->n + t.v[at] - 1;
+        Q count = q(l - at);
+        Term rest = without(t, at);
         List product = product_of(known, of->factor, rest.v, rest.n);
-        f->J[entry] = add(f->J[entry], product, factor);
-        f->change_of_J[entry] = plus(f->change_of_J[entry], change(rest, reach, rho));
+        f->J[entry] = add(f->J[entry], product, times(count, factor));
+        Q more = times(count, change(rest, reach, rho));
+        f->change_of_J[entry] = plus(f->change_of_J[entry], more);
     }
 }
 

@@ -9,11 +9,11 @@ class Function:
     """An added unknown that is sin, cos or exp of a polynomial in the variable and the unknowns of the text."""
 
     def __init__(self, problem, text, number):
-        tree = checker.formula(text)
+        self.kind, argument, _ = checker.definition(checker.Parser(text).tree)
         own = {x: {(k,): Fraction(1)} for k, x in enumerate([problem.variable] + problem.state)}
-        if tree[0] not in ("sin", "cos", "exp"):
-            raise NotCovered("the function '%s'" % tree[0])
-        self.kind, self.number, self.u = tree[0], number, checker.as_polynomial(tree[1], own, {})
+        if self.kind not in ("sin", "cos", "exp"):
+            raise NotCovered("the function '%s'" % self.kind)
+        self.number, self.u = number, checker.Algebra().of(argument, own)
         at = [problem.t0] + [a for a, b in problem.start[:len(problem.state)] if a == b]
         if any(c.denominator != 1 for c in self.u.values()) or len(at) <= len(problem.state):
             raise NotCovered("an argument or an initial value that is not exact")
@@ -25,11 +25,10 @@ class Function:
         return "%s (%s)" % (self.kind, evaluated_text(self.u, terms))
 
 
-def functions_of(problem, text):
+def functions_of(problem):
     """The added unknowns as functions, or None if one of them is not of a kind whose values Coq proves."""
-    lines = [x[7:].split(" = ", 1)[1] for x in text.split("\n") if x.startswith("define ")]
     try:
-        found = [Function(problem, x, len(problem.state) + k) for k, x in enumerate(lines)]
+        found = [Function(problem, x, len(problem.state) + k) for k, (_, x) in enumerate(problem.defined)]
     except (NotCovered, checker.Refused):
         return None
     sines = [f.u for f in found if f.kind == "sin"]
@@ -63,7 +62,7 @@ class FunctionValues:
     def values(self, x):
         """The functions at x, in the order of their unknowns, and the constants of their derivatives."""
         kinds = ("sin", "cos") if self.kind != "exp" else ("exp",)
-        return [sum(self.enclosures.entire(self.sign * x if k == "exp" else x, k)) / 2 for k in kinds]
+        return [sum(self.enclosures.entire(k, self.sign * x if k == "exp" else x)) / 2 for k in kinds]
 
     def curve(self, middle):
         """Polynomials of the unknowns in x on a step, by their derivatives in the middle."""

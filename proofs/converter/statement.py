@@ -72,11 +72,12 @@ class Statement:
         self.functions = functions or []
         count = len(problem.state) if functions is not None else self.n
         names = problem.state + ["added_%d" % (k + 1) for k in range(count - len(problem.state))]
-        self.names = [identifier(x) for x in names]
-        if len(set(self.names)) != count:
+        self.names = [identifier(x) for x in problem.state] + names[len(problem.state):]
+        both = set(self.names) | {"other_" + x for x in self.names}
+        if len(both) != 2 * count:
             raise NotCovered("names that Coq would confuse")
         self.polynomial_form = count > len(problem.state)
-        self.first, self.last = problem.t0, max(checker.fraction(c[0]) for c in problem.claims)
+        self.first, self.last = problem.t0, max(c.first for c in problem.claims)
         self.values = {}
         for f in self.functions:
             key = "exp" if f.kind == "exp" else "circle", f.start
@@ -92,7 +93,7 @@ class Statement:
         for name, text in self.problem.equations:
             base, order = name.rstrip("'"), name.count("'")
             result += [table[base + "'" * k] for k in range(1, order)]
-            result.append(formula_text(checker.formula(text), table, self.functions))
+            result.append(formula_text(checker.Parser(text).tree, table, self.functions))
         return result
 
     def initial(self, k):
@@ -126,9 +127,8 @@ class Statement:
         return real((low + high) / 2)
 
     def claims(self):
-        for time, name, low, high in self.ordered:
-            low, high, time = (checker.fraction(x) for x in (low, high, time))
-            yield "%s <= %s %s <= %s" % (real(low), identifier(name), real(time), real(high))
+        for c in self.ordered:
+            yield "%s <= %s %s <= %s" % (real(c.low), identifier(c.name), real(c.first), real(c.high))
 
     def full(self, prefix):
         """The functions of all unknowns, for unknowns of the statement with a prefix."""
@@ -211,5 +211,5 @@ class Statement:
             "found": "[%s]" % found if found else "idtac",
             "ones": " | ".join("exact (P %d%%nat t ltac:(lia) Ht)" % k for k in range(count)),
             "facts": "\n    ".join("assert (C%d := claim_of _ _ P %d ltac:(simpl; lia) %s ltac:(unfold claim_time; simpl; lra))." % (
-                k, k, real(checker.fraction(c[0]))) for k, c in enumerate(self.ordered))}
+                k, k, real(c.first)) for k, c in enumerate(self.ordered))}
         return TEMPLATE % parts

@@ -56,15 +56,20 @@ def cases(i, tactics):
     return "destruct %s as %s; [%s | exfalso; lia]" % (i, "[|" * n + i + "]" * n, " | ".join(tactics))
 
 
-RESERVED = {"R", "t", "a", "b", "i", "v", "exp", "ln", "sin", "cos", "sqrt", "PI", "equations", "starts", "data", "fun", "in",
-            "at", "as", "if", "then", "else", "let", "match", "end", "return", "with", "for", "using", "where", "fix",
-            "cofix", "forall", "exists", "Prop", "Set", "Type", "pow", "up", "real", "add", "mul", "sub", "opp", "abs"}
+# Names of the text that the converter writes, of what it uses of the files of proofs/, and of Coq.
+RESERVED = re.compile(
+    r"[A-Z]\w*'*|[abijtv]|other_.*|added_\d+|u_\d+|(circle|exp|step|claim)_.*|deriv_.*|eval.*|solution.*|certif.*|claims?.*|"
+    r"functions?|right.*|starts?.*|equations.*|data.*|zero|one|exactly|quotient|unknowns|items|all_claims|box|initial.*|"
+    r"begin_time|final_time|in_\w+|slope|below|listed|num|"
+    r"exp|ln|log|sin|cos|tan|sqrt|pow|up|real|add|mul|sub|opp|abs|fst|snd|pair|nil|cons|nth|list|nat|bool|true|false|negb|"
+    r"fun|in|at|as|if|is|then|else|let|match|end|return|with|for|using|where|fix|cofix|forall|exists|mod|conjuncts|lra|lia")
 
 
 def identifier(name):
-    if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*'*", name):
-        name = "u" + re.sub("[^A-Za-z0-9_']", "_", name)
-    return name + "_" if name in RESERVED else name
+    """A name of Coq that is none of the text around it: with the_ before it, if it would be."""
+    if re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*'*", name) and not RESERVED.fullmatch(name):
+        return name
+    return "the_" + name
 
 
 def real(x):
@@ -75,22 +80,29 @@ def real(x):
 
 def formula_text(tree, names, functions=()):
     """A formula of the certificate as a term of Coq; `names`: the terms of the variable and of the unknowns."""
+    def text(part):
+        return formula_text(part, names, functions)
     if isinstance(tree, Fraction):
         return real(tree)
     if isinstance(tree, str):
         return names[tree]
-    if tree[0] in ("sin", "cos", "exp"):
-        own = {x: {(k,): Fraction(1)} for k, x in enumerate(names)}
-        u = checker.as_polynomial(tree[1], own, {})
-        return "(%s)" % next(f for f in functions if f.kind == tree[0] and f.u == u).text(list(names.values()))
-    kind, a = tree[0], formula_text(tree[1], names, functions)
-    if kind in "+*":
-        return "(%s %s %s)" % (a, kind, formula_text(tree[2], names, functions))
-    if kind == "/" and isinstance(tree[2], Fraction):
-        return "(%s / %s)" % (a, real(tree[2]))
-    if kind == "^" and tree[2].denominator == 1 and tree[2] >= 0:
-        return "(%s ^ %d)" % (a, tree[2])
-    raise NotCovered("the function or quotient '%s'" % kind)
+    if tree[0] == "+":
+        parts = [text(part) if sign == "+" else "(-1) * %s" % text(part) for sign, part in tree[1]]
+        return "(%s)" % " + ".join(parts)
+    if tree[0] == "*":
+        if any(sign == "/" and not isinstance(part, Fraction) for sign, part in tree[1]):
+            raise NotCovered("a quotient by an unknown")
+        return "(%s)" % "".join((" %s " % sign if k else "") + text(part) for k, (sign, part) in enumerate(tree[1]))
+    if tree[0] == "^":
+        if tree[2].denominator > 1 or tree[2] < 0:
+            raise NotCovered("the power %s" % tree[2])
+        return "(%s ^ %d)" % (text(tree[1]), tree[2])
+    own = {x: {(k,): Fraction(1)} for k, x in enumerate(names)}
+    u = checker.Algebra().of(tree[1], own)
+    found = [f for f in functions if f.kind == tree[0] and f.u == u]
+    if not found:
+        raise NotCovered("the function '%s'" % tree[0])
+    return "(%s)" % found[0].text(list(names.values()))
 
 
 def polynomial_text(f, terms):

@@ -20,7 +20,8 @@ sys.dont_write_bytecode = True
 import roots  # noqa: E402
 import zeros  # noqa: E402
 
-CHECKER = pathlib.Path(__file__).resolve().parents[2] / "check" / "libration_check.py"
+HERE = pathlib.Path(__file__).resolve().parent
+CHECKER = HERE.parents[1] / "check" / "libration_check.py"
 SOURCE = CHECKER.read_text()
 
 # Conditions: (name, text of the checker, the text with which the condition always holds). That radii are >= 0 follows
@@ -28,22 +29,25 @@ SOURCE = CHECKER.read_text()
 # the rate.
 CONDITIONS = [
     ("V is invertible", "need(2 * q <= one,", "need(True,"),
-    ("start and joint", "need(total <= self.R0[b] << self.problem.bits,", "need(True,"),
-    ("gap of the centres", "total = size_of(moved, rows, range(1)) << self.problem.bits", "total = 0"),
-    ("old set", "total += sum(size_of(turned, rows, columns) * r for columns, r in zip(blocks, radii))", "pass"),
+    ("start and joint", "need(total <= self.R0[b] << self.bits,", "need(True,"),
+    ("gap of the centres", "total = size_of(gap, rows, [0]) << self.bits", "total = 0"),
+    ("old set", "total += sum(size_of(turned, rows, c) * radius for c, radius in zip(blocks, radii))", "pass"),
     ("growth at the left end", '(("left", self.R0), ("right", self.R1))', '(("right", self.R1),)'),
     ("growth at the right end", '(("left", self.R0), ("right", self.R1))', '(("left", self.R0),)'),
-    ("defect", "growth = size_of(delta, rows, range(1)) << self.problem.bits", "growth = 0"),
-    ("change of the derivative", "DJ[i][l - 1] += self.up(", "DJ[i][l - 1] += 0 * self.up("),
-    ("V' in the frame", "scaled(derivative(V[i][j]), -Q << k)", "[]"),
-    ("claim", "need(fraction(claim[2]) <= centre[i] - reach and centre[i] + reach <= fraction(claim[3]),", "need(True,"),
-    ("lower end of a claim", "fraction(claim[2]) <= centre[i] - reach and ", ""),
-    ("upper end of a claim", " and centre[i] + reach <= fraction(claim[3])", ""),
-    ("a claim is in a step", 'need(zeros and not claims,', 'need(zeros,'),
-    ("text behind the end", 'form(r.lines[r.at:] == ["end", ""],', "form(True,"),
-    ("names are different", "len(set(names)) == len(names)", "True"),
-    ("functions of a start", 'need(a > 0 and kind in ("^", "log"),', "need(True,"),
-    ("start of quotients", 'need(kind != "/" or c > 0 or d < 0,', "need(True,"),
+    ("defect", "growth = size_of(defect, rows, [0]) << self.bits", "growth = 0"),
+    ("change of the derivative", "change_of_J[i][j - 1] += count * self.up(", "change_of_J[i][j - 1] += 0 * self.up("),
+    ("V' in the frame", "scaled(derivative(self.V[i][j]), minus)", "[]"),
+    ("claim", 'need(within, "the value', 'need(True, "the value'),
+    ("lower end of a claim", "claim.low <= centre - reach and ", ""),
+    ("upper end of a claim", " and centre + reach <= claim.high", ""),
+    ("a claim is in a step", "done = progress.claims == len(problem.claims) and ", "done = "),
+    ("text behind the end", 'form(reader.lines[reader.at:] == ["end", ""],', "form(True,"),
+    ("names are different", "form(name not in self.names,", "form(True,"),
+    ("names without primes", "good and name not in", "name not in"),
+    ("definitions in equations", "right.append(algebra.of(Parser(text).tree, names))",
+     "right.append(algebra.of(Parser(text).tree, in_definitions))"),
+    ("functions of a start", 'form(kind in RULES, "unknown', 'form(True, "unknown'),
+    ("start of quotients", "need(x[0] > 0 or x[1] < 0,", "need(True,"),
 ] + zeros.CONDITIONS + roots.CONDITIONS
 
 
@@ -206,6 +210,14 @@ def with_time_for_unknown():
         "radii 0 0", "0 0", "0 0", "end", ""])
 
 
+def two_equations():
+    """x = 1 and x = t as curves of x' = 0 and x' = 1."""
+    return HEAD + "\n".join([
+        "equation x' = 0", "equation x' = 1", "start 1", "start 0", "bits 100 200", "claim 1 x 0 2", "steps 1", "step 0", "1",
+        "scale 0 0", "blocks 1 1", "p 5", "20", "10 8", "V 0 0", "1", "", "", "1", "U 0 0", "1", "", "", "1", "radii 0 0",
+        "0 0", "0 0", "end", ""])
+
+
 def made_certificates():
     unit = 1 << 200
     yield "a singular V", without_frame()
@@ -216,6 +228,9 @@ def made_certificates():
     yield "the inverse of 0", constant("pi - pi", "1/y", 900)
     yield "two meanings of a name", constant("1", "1/y").replace("variable t", "variable y")
     yield "the variable for an unknown", with_time_for_unknown()
+    yield "two equations for an unknown", two_equations()
+    for path in sorted((HERE / "forged").glob("*.cert")):
+        yield path.name, read(path)
 
 
 # ------------------------------------------------------------------------------------------------------------- tests

@@ -5,22 +5,19 @@ of 9/8, about the solution z = 0."""
 
 # Conditions: (name, text of the checker, the text with which the condition always holds).
 CONDITIONS = [
-    ("certificates of one problem", "need(len({(x.variable, x.t0, str(x.equations)) for x in problems}) == 1",
-     "need(True"),
-    ("conditions at one time", '(":" in ends or fraction(middle) == fraction(ends))', "True"),
-    ("equal starts", "need(all(x.starts == near.starts for x in problems[1:])", "need(True"),
-    ("derivatives by each unknown start", "and [x.vary for x in problems] == [[]] + [[names[k]] for k in moved],",
-     "and True,"),
-    ("as many conditions as unknowns", "form(not lines[-1] and [x[:1] + [len(x)] for x in goals]",
-     "form(True or [1]"),
+    ("certificates of one problem", "need(same and heads == heads[:1] * len(heads),", "need(same,"),
+    ("conditions at one time", 'same = ":" in ends or fraction(middle) == fraction(ends)', "same = True"),
+    ("equal starts", "match = match and all(x.starts == near.starts for x in others)", "pass"),
+    ("derivatives by each unknown start", "match = [x.vary for x in problems] == [None] + [point.state[k] for k in moved]",
+     "match = True"),
+    ("as many conditions as unknowns", "form(good and {x[1]", "form({x[1]"),
     ("a contraction", "need(total < radii[i],", "need(True,"),
-    ("the distance of the middle", "total = distance(c, F, 0) + sum(", "total = sum("),
-    ("the matrix is near the inverse", "sum(distance(c, x, i == j) * r for", "sum(0 * r for"),
-    ("the middle is in the box", "min(fraction(m) - fraction(a), fraction(b) - fraction(m))",
-     "fraction(b) - fraction(m)"),
-    ("derivatives alone", "need(not self.vary,", "need(True,"),
-    ("times behind the start", "(t[0] - self.t0) * (t[1] - t[0]) >= 0", "True"),
-    ("derivatives of added unknowns", "for way in flow, vary: way[", "for way in (flow,): way["),
+    ("the distance of the middle", "total = distance(C, F, 0) + sum(parts)", "total = sum(parts)"),
+    ("the matrix is near the inverse", "total = distance(C, F, 0) + sum(parts)", "total = distance(C, F, 0)"),
+    ("the middle is in the box", "min(m - a, b - m)", "b - m"),
+    ("derivatives alone", "need(self.vary is None,", "need(True,"),
+    ("times behind the start", "behind = (self.first - problem.t0) * (self.last - self.first) >= 0", "behind = True"),
+    ("derivatives of added unknowns", "by_start[k] = algebra.times(slope, algebra.along(u, by_start))", "pass"),
 ]
 
 # Radii at both ends of y, z, s, of d(y), d(z), d(s) in certificates with these, and of exp(z), in units of 2^-10.

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """second.py [--mutations N] [--seed S] [--attacks] [--conditions COMPILER] PROGRAM CERTIFICATE...: compares PROGRAM, made
-of check/libration_check.c, with check/libration_check.py.
+of check/c, with check/libration_check.py.
 
 Both must have the same verdict, in the same words, on the certificates, on N certificates with one character changed of
 each, and with --attacks on the false and the boundary certificates of attack.py. With --conditions, each condition of the
@@ -18,61 +18,58 @@ import zlib
 sys.dont_write_bytecode = True
 import attack  # noqa: E402
 
-SOURCE = attack.CHECKER.with_suffix(".c")
+SOURCES = {path.name: path.read_text() for path in sorted((attack.CHECKER.parent / "c").glob("*.[ch]"))}
 
 # Conditions: (name, text of the program, the text with which the condition always holds).
 CONDITIONS = [
     ("V is invertible", "need(at_most(plus(most, most), q(1)),", "need(1,"),
     ("start and joint", "need(at_most(total, s->R0[b]),", "need(1,"),
-    ("gap of the centres", "Q total = size_of(moved, 1, s->at[b], s->at[b + 1], 0, 1);", "Q total = q(0);"),
+    ("gap of the centres", "Q total = size_of(gap, 1, s->at[b], s->at[b + 1], 0, 1);", "Q total = q(0);"),
     ("old set", "total = plus(total, times(size, old->radii[c]));", "(void)size;"),
-    ("growth at the left end", "for (int end = 0; end < 2; ++end)", "for (int end = 1; end < 2; ++end)"),
-    ("growth at the right end", "for (int end = 0; end < 2; ++end)", "for (int end = 0; end < 1; ++end)"),
+    ("growth at the left end", 'check_end(s, f, &by, s->R0, "left");', ""),
+    ("growth at the right end", 'check_end(s, f, &by, s->R1, "right");', ""),
     ("defect", "growth = size_of(f->defect, 1, i, j, 0, 1)", "growth = q(0)"),
-    ("change of the derivative", "plus(f.change_of_J[entry], change(rest, reach, rho))", "f.change_of_J[entry]"),
-    ("V' in the frame", "derivative(s->V[i]), negative(f->unit)", "nothing, negative(f->unit)"),
-    ("claim", "need(at_most(fraction(claim[2]), minus(centre, reach)) && at_most(plus(centre, reach), fraction(claim[3])),",
-     "need(1,"),
-    ("lower end of a claim", "at_most(fraction(claim[2]), minus(centre, reach)) && ", ""),
-    ("upper end of a claim", " && at_most(plus(centre, reach), fraction(claim[3]))", ""),
-    ("a claim is in a step", "need(zeros && missing == 0,", "need(zeros,"),
-    ("text behind the end", "form(line_at + 2 == line_count && strcmp(lines[line_at], \"end\") == 0 && "
-     "lines[line_at + 1][0] == 0,", "form(1,"),
-    ("names are different", "form(find_name(&p->scope, name) == NULL,", "form(1,"),
-    ("functions of a start", "need(mpq_sgn(a) > 0 && (t->kind == '^' || strcmp(t->name, \"log\") == 0),", "need(1,"),
-    ("start of quotients", "need(mpq_sgn(c) > 0 || mpq_sgn(d) < 0,", "need(1,"),
-    ("one condition with zeros", "form(conditions == (p->zeros > 0),", "form(1,"),
-    ("all zeros are in steps", "need(zeros && missing == 0,", "need(missing == 0,"),
-    ("order of the zeros", "need(at_most(place(s, p->ends[k]), place(s, p->ends[k + 1])),", "need(1,"),
-    ("a sign between zeros", "need(sign != 0 && (p->sign == 0 || p->sign == sign),", "need(1,"),
-    ("signs alternate", "need(sign != 0 && (p->sign == 0 || p->sign == sign),", "need(sign != 0,"),
-    ("the derivative at a zero", "if (!at_most(u, v)) continue;", "if (!at_most(u, v) || k % 2 == 1) continue;"),
-    ("bound of the slope", "plus(over(times(s->function[k].slope, minus(v, u)), q(2)), s->function[k].reach)",
-     "s->function[k].reach"),
-    ("distance of the tube", "plus(over(times(s->function[k].slope, minus(v, u)), q(2)), s->function[k].reach)",
-     "over(times(s->function[k].slope, minus(v, u)), q(2))"),
-    ("change of the condition", "plus(change_of[x->i - n], change(t, reach, rho))", "change_of[x->i - n]"),
-    ("a sign over the whole part", " && (way != 0 || sure(s, 0, u, v) != 0)) return left;", ") return left;"),
-    ("a sign at the right end", "if (left == sure(s, 0, v, v) && ", "if ("),
-    ("the condition is 0 at the start", "p->zero_start = exact && mpq_sgn(total) == 0;", "p->zero_start = exact;"),
-    ("an exact start", "p->zero_start = exact && ", "p->zero_start = "),
-    ("values move at a zero", "shift(times(norm(derivative(s->p[i])), d), e - s->kp)", "q(0)"),
-    ("the frame moves at a zero", "plus(absolute(set.frame[i * n + j]), more)", "absolute(set.frame[i * n + j])"),
-    ("radii change at a zero", "up(over(times(absolute(minus(s->R1[b], s->R0[b])), d), two))", "q(0)"),
-    ("certificates of one problem", "equal = equal && of_one_problem(point, r->problem[k]);", ";"),
+    ("change of the derivative", "plus(f->change_of_J[entry], more)", "f->change_of_J[entry]"),
+    ("V' in the frame", "add(JV, derivative(s->V[i]), negative(f->unit))", "JV"),
+    ("claim", 'need(within, "the value', 'need(1, "the value'),
+    ("lower end of a claim", "at_most(c->low, minus(centre, reach)) && ", ""),
+    ("upper end of a claim", " && at_most(plus(centre, reach), c->high)", ""),
+    ("a claim is in a step", "return done->claims == p->claims && ", "return "),
+    ("text behind the end", "form(ends, ", "form(1, "),
+    ("names are different", 'form(!known, "two', 'form(1, "two'),
+    ("names without primes", " && strchr(name, '\\'') == NULL", ""),
+    ("definitions in equations", "polynomial(by, t, (Names){p->names.name, 1 + p->own})", "polynomial(by, t, (Names){p->names.name, 1 + p->n})"),
+    ("functions of a start", 'form(is_function(name), "unknown', 'form(1, "unknown'),
+    ("start of quotients", "need(mpq_sgn(x.low) > 0 || mpq_sgn(x.high) < 0,", "need(1,"),
+    ("one condition", 'all(r, "condition", 1, &conditions)', 'all(r, "condition", 2, &conditions)'),
+    ("all zeros are in steps", " && done->interval == intervals", " + 0 * intervals"),
+    ("a sign between zeros", 'need(alternate, "the', 'need(1, "the'),
+    ("signs alternate", "sign != 0 && (done->sign == 0 || done->sign == sign)", "sign != 0"),
+    ("the derivative at a zero", "sign = k % 2 == 1 ? sure(s, 1, u, v)", "sign = k % 2 == 1 ? done->sign * ((k + 1) / 2 % 2 == 1 ? -1 : 1)"),
+    ("bound of the slope", "Q reach = plus(slope, s->function[k].reach);", "Q reach = s->function[k].reach; (void)slope;"),
+    ("distance of the tube", "Q reach = plus(slope, s->function[k].reach);", "Q reach = slope;"),
+    ("change of the condition", "plus(changes[x->i - n], change(x->t, reach, rho))", "changes[x->i - n]"),
+    ("a sign over the whole part", " && (way != 0 || sure(s, 0, u, v) != 0)", ""),
+    ("a sign at the right end", "known = left == sure(s, 0, v, v) && ", "known = "),
+    ("the condition is 0 at the start", "return mpq_sgn(total) == 0;", "return 1;"),
+    ("an exact start", "if (!mpq_equal(start.low, start.high)) return 0;", ""),
+    ("values move at a zero", "shift(times(norm(derivative(s->p[i])), half), e - s->kp)", "q(0)"),
+    ("the frame moves at a zero", "plus(absolute(value(entry, x)), more)", "absolute(value(entry, x))"),
+    ("radii change at a zero", "plus(radius_at(s, b, x), up(more))", "radius_at(s, b, x)"),
+    ("certificates of one problem", "same = same && of_one_problem(point, r->problem[k]);", ";"),
     ("conditions at one time", "mpq_equal(fraction(r->middle), fraction(r->ends))", "1"),
     ("equal starts", "match = match && same_texts(r->problem[k]->start[i], near->start[i]);", ";"),
-    ("derivatives by each unknown start", "match = vary != NULL && same_texts(vary, point->scope.name[r->moved[k] + 1].name);", "match = vary != NULL;"),
-    ("as many conditions as unknowns", "form(*each[r->goals] == 0 && r->goals == unknowns,", "form(1,"),
-    ("a contraction", "need(mpq_cmp(total, r->unknown[i].radius) < 0,", "need(1,"),
-    ("the distance of the middle", "Q total = distance(C + i * n, r->F, n, 0);", "Q total = q(0);"),
-    ("the matrix is near the inverse", "total = plus(total, times(distance(C + i * n, r->columns + j * n, n, i == j), "
-     "r->unknown[j].radius));", ";"),
-    ("the middle is in the box", "least(minus(middle, fraction(u->low)), minus(fraction(u->high), middle))",
-     "minus(fraction(u->high), middle)"),
+    ("derivatives by each unknown start",
+     "match = vary != NULL && same_texts(vary, point->names.name[r->place[k] + 1].name);", "match = vary != NULL;"),
+    ("as many conditions as unknowns", 'form(good, "not one condition', 'form(1, "not one condition'),
+    ("a contraction", "need(contracts, ", "need(1, "),
+    ("the distance of the middle", "Q total = distance(C, r->F, n, 0);", "Q total = q(0);"),
+    ("the matrix is near the inverse", "total = plus(total, times(apart, r->unknown[j].radius));", "(void)apart;"),
+    ("the middle is in the box", "least(minus(middle, low), minus(high, middle))", "minus(high, middle)"),
     ("derivatives alone", "need(p->vary == NULL,", "need(1,"),
-    ("times behind the start", "p->vary != NULL && ordered", "p->vary != NULL"),
-    ("derivatives of added unknowns", "p->vary == NULL ? terms(0) : poly_times(rule, along(a->u, p->by_start, p->n))", "terms(0)"),
+    ("times behind the start", "p->vary != NULL && mpq_sgn(way) >= 0", "p->vary != NULL"),
+    ("derivatives of added unknowns", "by_start[k] = poly_times(by, slope, along(by, a->u, by_start, k));",
+     "by_start[k] = nothing_at_all();"),
 ]
 
 
@@ -106,14 +103,14 @@ def verdict(module, text):
 
 
 class Comparison:
-    """Texts by verdict. Both checkers say the same, but in other words about what is not of the format."""
+    """Texts by verdict. Both checkers say the same in the same words."""
 
     def __init__(self, module, program):
         self.module, self.program, self.counts = module, program, [0, 0, 0]
 
     def of(self, name, text):
         expected, found = verdict(self.module, text), self.program.verdict(text)
-        if found[0] != expected[0] or (found[0] < 2 and found[1] != expected[1]):
+        if found != expected:
             pathlib.Path("differs.cert").write_bytes(zlib.compress(text.encode()))
             sys.exit("%s, in differs.cert: %s\nbut in C: %s" % (name, expected, found))
         self.counts[found[0]] += 1
@@ -122,13 +119,16 @@ class Comparison:
 def program_without(condition, compiler, folder):
     """Compiles the program without a condition, however its lines are broken."""
     name, old, new = condition
-    source, pattern = SOURCE.read_text(), r"\s+".join(map(re.escape, old.split(" ")))
-    if len(re.findall(pattern, source)) != 1:
+    pattern = r"\s+".join(map(re.escape, old.split(" ")))
+    found = [file for file, text in SOURCES.items() for _ in re.findall(pattern, text)]
+    if len(found) != 1:
         sys.exit("%s: the program does not contain '%s' once" % (name, old))
-    place = pathlib.Path(folder) / "weaker.c"
-    place.write_text(re.sub(pattern, lambda _: new, source))
-    subprocess.run([compiler, "-std=c11", "-O1", "-w", place, "-lgmp", "-lz", "-o", place.with_suffix("")], check=True)
-    return Program(place.with_suffix(""), folder)
+    for file, text in SOURCES.items():
+        (pathlib.Path(folder) / file).write_text(re.sub(pattern, lambda _: new, text) if file == found[0] else text)
+    program = pathlib.Path(folder) / "weaker"
+    files = sorted(pathlib.Path(folder).glob("*.c"))
+    subprocess.run([compiler, "-std=c11", "-O1", "-w", *files, "-lgmp", "-lz", "-o", program], check=True)
+    return Program(program, folder)
 
 
 def main():

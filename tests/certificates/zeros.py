@@ -4,22 +4,22 @@ from fractions import Fraction
 
 # Conditions: (name, text of the checker, the text with which the condition always holds).
 CONDITIONS = [
-    ("one condition with zeros", "form(len(self.condition) == min(len(self.zeros), 1),", "form(True,"),
-    ("all zeros are in steps", "need(zeros and not claims,", "need(not claims,"),
-    ("order of the zeros", "need(ends == sorted(ends),", "need(True,"),
-    ("a sign between zeros", "need(s and self.problem.sign in (0, s),", "need(True,"),
-    ("signs alternate", "need(s and self.problem.sign in (0, s),", "need(s,"),
-    ("the derivative at a zero", "if u <= v:                             # signs", "if u <= v and k % 2 == 0:  # signs"),
-    ("bound of the slope", "if abs(y) > slope * (v - u) / 2 + reach", "if abs(y) > reach"),
-    ("distance of the tube", "if abs(y) > slope * (v - u) / 2 + reach", "if abs(y) > slope * (v - u) / 2"),
-    ("change of the condition", "Dg[i - n] += self.up(abs(c) * change(m))", "pass"),
-    ("a sign over the whole part", "and (way or self.sure(0, u, v))", ""),
-    ("a sign at the right end", "if left == self.sure(0, v, v) and (", "if ("),
-    ("the condition is 0 at the start", "exact and sum(", "exact and 0 == 0 * sum("),
-    ("an exact start", "exact = all(start[names[l]][0] == start[names[l]][1] for m in g for l in m)", "exact = True"),
-    ("values move at a zero", "reach += slopes[0] * unit * two(-self.kp)", "pass"),
-    ("the frame moves at a zero", "abs(a) + b * unit * two(-self.kv)", "abs(a)"),
-    ("radii change at a zero", "r + math.ceil(abs(b - a) * d / 2)", "r"),
+    ("one condition", 'reader.all("condition", 1)', 'reader.all("condition", 2)'),
+    ("all zeros are in steps", " and progress.interval == len(progress.intervals)", ""),
+    ("a sign between zeros", "need(alternate,", "need(True,"),
+    ("signs alternate", "alternate = sign and self.sign in (0, sign)", "alternate = sign"),
+    ("the derivative at a zero", "sign = sure(step, 1, u, v) if k % 2 else",
+     "sign = self.sign * (-1) ** ((k + 1) // 2) if k % 2 else"),
+    ("bound of the slope", "abs(middle) > slope * (v - u) / 2 + reach", "abs(middle) > reach"),
+    ("distance of the tube", "abs(middle) > slope * (v - u) / 2 + reach", "abs(middle) > slope * (v - u) / 2"),
+    ("change of the condition", "changes[i - n] += self.up(abs(c) * change(m))", "pass"),
+    ("a sign over the whole part", " and (way or sure(step, 0, u, v))", ""),
+    ("a sign at the right end", "if left == sure(step, 0, v, v) and (", "if ("),
+    ("the condition is 0 at the start", "problem.zero_start = exact and total == 0", "problem.zero_start = exact"),
+    ("an exact start", "exact = all(ends[k][0] == ends[k][1] for m in g for k in m)", "exact = True"),
+    ("values move at a zero", "norm(derivative(step.p[i])) * half * unit", "0 * unit"),
+    ("the frame moves at a zero", "abs(value(a, x)) + norm(derivative(a)) * half", "abs(value(a, x))"),
+    ("radii change at a zero", " + math.ceil(abs(b - a) * half / 2)", ""),
 ]
 
 
@@ -70,7 +70,7 @@ def made_certificates(accepted, whole, exponential):
     yield "a zero is missing", of(["(y - 6/5)*(y - 5/4)"], [at["5/4"]])
     yield "two zeros are missing", of(["(y - 6/5)*(y - 61/50)*(y - 13/10)"], [at["13/10"]])
     yield "no condition", of([], [at["5/4"]])
-    yield "two conditions", of(["y - 6/5", "y - 5/4"], [at["5/4"]])
+    yield "two conditions", of(["y - 5/4", "y - 6/5"], [at["5/4"]])
     yield "no zero", of(["y - 5/4"], [("1e-1", "2e-1")])
     yield "no zero behind one", of(["y - 5/4"], [at["5/4"], ("0.3", "0.4")])
     yield "a zero before the interval", of(["y - 5/4"], [("3e-1", "4e-1")])
