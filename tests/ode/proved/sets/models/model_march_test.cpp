@@ -66,11 +66,11 @@ void check_steps(const known_problem& known, const std::vector<ball>& a) {
     while (exactly_less(march.reached(), end)) {
         INFO(known.text << " at " << text_of(march.reached()));
         const ball there = known.first(march.reached(), numbers);
-        const ball here = value_at(march.set(), place, a);
+        const ball here = value_at(*march.set(), place, a);
         INFO(text_of(here) << " should contain " << text_of(there));
         CHECK(contains(here, there));
-        CHECK(contains(march.set().range(place), there));
-        CHECK(march.set().reach(place) <= magnitude::of(1, known.log2_of_errors));
+        CHECK(contains(march.set()->range(place), there));
+        CHECK(march.set()->reach(place) <= magnitude::of(1, known.log2_of_errors));
         const enclosed_step* const step = march.prepare_towards(end);
         REQUIRE(step != nullptr);
         const ball half = exact_multiple(step->length_of_step(), 1, -1);
@@ -127,7 +127,7 @@ TEST_CASE("the errors of a set of Taylor models move with the solutions of the w
     while (exactly_less(march.reached(), part(5))) {
         const ball largest = part(7) / (ball(1) - part(7) * march.reached());
         INFO(text_of(march.reached()));
-        CHECK_FALSE(certainly_less(upper_bound(value_at(march.set(), 0, {ball(1)})), largest));
+        CHECK_FALSE(certainly_less(upper_bound(value_at(*march.set(), 0, {ball(1)})), largest));
         REQUIRE(march.prepare_towards(ball(1)) != nullptr);
         march.take_prepared(1);
     }
@@ -214,8 +214,8 @@ TEST_CASE("solutions of random problems are in the sets of Taylor models", "[ode
             const auto there = single.at(march.reached());
             REQUIRE(there);  // all solutions from the box exist
             for (std::size_t i = 0; i < unknowns; ++i) {
-                INFO(text_of(value_at(march.set(), i, a)) << " should contain " << text_of((*there)[i]));
-                CHECK(contains(value_at(march.set(), i, a), (*there)[i]));
+                INFO(text_of(value_at(*march.set(), i, a)) << " should contain " << text_of((*there)[i]));
+                CHECK(contains(value_at(*march.set(), i, a), (*there)[i]));
                 ++compared;
             }
         }
