@@ -438,6 +438,14 @@ FAULTS = [
         ("the divisors of elimination forgotten", "keep(parts_lost({1 / by}, {}, solved), target);", ""),
     ),
     *in_file(
+        "src/libration/ode/proved/linear_flow.cpp", [DOMAINS],
+        ("parts that end a linear system", "if (!parts_lost({right}, {}, {}).empty()) {", "if (false) {"),
+    ),
+    *in_file(
+        "src/libration/ode/proved/equilibrium/reduced_field.cpp", [DOMAINS],
+        ("parts of a field that its derivatives do not have", "    keep_domain();\n    depends", "    depends"),
+    ),
+    *in_file(
         "src/libration/ode/singular_form.cpp", [DOMAINS],
         ("a zero folded at a singular start", "if (e.is_unfolded_zero()) {", "if (false) {"),
     ),

@@ -91,7 +91,8 @@ void add_rounded(outcome& to, const std::string& text, const std::string& time, 
 }  // namespace
 
 outcome ask_domain(choices& next) {
-    const constant end = any_constant(next);  // of the domain, at time +-end
+    const constant any = any_constant(next);
+    const constant end = any.rough() > 0.05 ? any : constant_of(1L);  // of the domain, at time +-end
     const bool forwards = next.one_in(2);
     const std::string u = fmt::format("(1{}t/{})", forwards ? "-" : "+", end.text);
     const std::string f = any_factor(u, next);

@@ -19,6 +19,7 @@ struct singular_problem {
 singular_problem any_singular_start(choices& next) {
     const constant c = any_constant(next);
     const constant k = next.one_in(3) ? constant{"pi", pi_value} : any_constant(next);
+    const constant r = simple_constant(next);
     switch (next.below(4)) {
         case 0:  // c sin(w t)/(w t), w^2 = k
             return {fmt::format("x'' = -2*x'/t - {}*x; x(0) = {}; x'(0) = {{}}", k.text, c.text), "0",
@@ -32,9 +33,13 @@ singular_problem any_singular_start(choices& next) {
         case 2:
             return {fmt::format("x' = ({}-x)/t + {}; x(0) = {{}}", c.text, k.text), c.text,
                     [c, k](const mpfr& t) { return mpfr(c.value() + k.value() * t / 2); }};
-        default:  // the mean of y from 0 to t
-            return {fmt::format("x' = (y-x)/t; y' = {0}*y; y(0) = {1}; x(0) = {{}}", k.text, c.text), c.text,
-                    [c, k](const mpfr& t) { return mpfr(c.value() * expm1(mpfr(k.value() * t)) / (k.value() * t)); }};
+        default:  // x = c + k/t times the integral of s e^(r s) from 0 to t
+            return {fmt::format("x' = ({}-x)/t + y; y' = {}*y; y(0) = {}; x(0) = {{}}", c.text, r.text, k.text), c.text,
+                    [c, k, r](const mpfr& t) {
+                        const mpfr rate = r.value();
+                        const mpfr grown = exp(mpfr(rate * t));
+                        return mpfr(c.value() + k.value() * (t * grown / rate - (grown - 1) / (rate * rate)) / t);
+                    }};
     }
 }
 

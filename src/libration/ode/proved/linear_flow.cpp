@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "libration/ode/constant_value.hpp"
+#include "libration/ode/domain/defined_zero.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/ball/traits.hpp"
 #include "libration/scalar/error.hpp"
@@ -110,6 +111,9 @@ bool linear_flow::read(const explicit_system& system) {
             constants_.emplace_back(rational(0));
         }
         const expression& right = system.right()[i];
+        if (!parts_lost({right}, {}, {}).empty()) {
+            return false;  // folding may have removed them, as in x (1 - t)/(1 - t), but they end the solution
+        }
         std::set<std::pair<std::string, int>> occurring;
         each_leaf(right, [&](const expression& leaf) {
             if (leaf.kind() == node_kind::unknown) {

@@ -67,7 +67,8 @@ private:
                 }
                 return sum;
             }
-            case node_kind::product: return product_of(done_.at(e.left()), done_.at(e.right()));
+            case node_kind::product:
+                return e.is_unfolded_zero() ? variable(e) : product_of(done_.at(e.left()), done_.at(e.right()));
             case node_kind::quotient: return divided(e);
             case node_kind::power: return raised(e);
             case node_kind::variable:

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "libration/ode/constant_value.hpp"
+#include "libration/ode/domain/defined_zero.hpp"
 
 namespace libration::ode {
 
@@ -13,7 +14,22 @@ reduced_field::reduced_field(const explicit_system& of) : form_(of), sums_(conse
             row.push_back(partial(form_.slopes[k], leaf));
         }
     }
+    keep_domain();
     depends_on_time_ = std::ranges::any_of(form_.slopes, [](const expression& each) { return each.has_variable(); });
+}
+
+// The theorem needs slopes that are differentiable, so that their derivatives have no value where the slopes have none.
+void reduced_field::keep_domain() {
+    std::vector<expression> all;
+    for (const auto& row : partials_) {
+        all.insert(all.end(), row.begin(), row.end());
+    }
+    for (const expression& lost : parts_lost(form_.slopes, {}, all)) {
+        if (!partials_.empty()) {
+            expression& entry = partials_.front()[sums_.kept.front()];
+            entry = entry + zero_where_defined(lost);
+        }
+    }
 }
 
 std::vector<ball> reduced_field::kept_of(const std::vector<ball>& state) const {

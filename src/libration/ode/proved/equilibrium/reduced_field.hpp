@@ -35,6 +35,7 @@ public:
     dense_matrix derivative(const std::vector<ball>& kept) const;
 
 private:
+    void keep_domain();
     ball start_of(std::size_t unknown) const;
     expression_values<ball> values_at(const std::vector<ball>& kept) const;
 
