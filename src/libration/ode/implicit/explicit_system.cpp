@@ -177,8 +177,11 @@ void explicit_system::keep_domain(const std::vector<equation>& equations, const 
             keep(lost, place.value_or(i));
         }
     }
+    start_values values(leaves_at_start(*this));
     for (const auto& [target, by] : divisors) {
-        keep(parts_lost({1 / by}, {}, solved), target);
+        if (!values.refusal_of(1 / by)) {  // otherwise its zero at the initial point has to be isolated
+            keep(parts_lost({1 / by}, {}, solved), target);
+        }
     }
 }
 
