@@ -116,6 +116,8 @@ TEST_CASE("constant solutions end where their equations have no value", "[ode][p
     CHECK(proved_at("x' = x*log(y); y' = -1; x(0) = 0; y(0) = 1", "0.75") == "0");
     CHECK(proved_at("x' = x*log(y); y' = -1; x(0) = 0; y(0) = 1", "2").empty());
     CHECK(proved_at("x' = x*t/(1 - t); y' = y; x(0) = 0; y(0) = 1", "2").empty());
+    CHECK(proved_at("(2 - t)*x' = 0; x(0) = 1", "3/2") == "1.000000000");
+    CHECK(proved_at("(2 - t)*x' = 0; x(0) = 1", "3").empty());
     // Where the divisor of theorem D is 0 another branch crosses, and the solution is no longer the only one.
     CHECK(proved_at("0 = x*(x - t)*(1 + t); x(-1/2) = 0", "-0.1") == "0");
     CHECK(proved_at("0 = x*(x - t)*(1 + t); x(-1/2) = 0", "2").empty());
