@@ -179,7 +179,7 @@ degenerate_set any_set(choices& next) {
 // A refusal states nothing false.
 void add_refusal(outcome& result, const degenerate_set& set, const std::string& message) {
     const refusal_facts facts = facts_of(message);
-    const bool one_line = std::ranges::count(message, '\n') == 1;
+    const bool one_line = std::ranges::count(message, '\n') <= 2;  // and the number of parts
     const bool exists = !facts.exists_up_to || !set.end ||
                         sign_of([&] { return mpfr((*set.end)() - typed_number(*facts.exists_up_to)()); }) >= 0;
     result.add(one_line && exists ? verdict::refused : verdict::wrong, message);

@@ -296,8 +296,8 @@ TEST_CASE("sets in C++ are those of the text", "[ode][proved][sets]") {
 TEST_CASE("sets on which the equations or their polynomial form are singular are refused", "[ode][proved][sets]") {
     for (const std::string problem :
          {"x' = sqrt(x); x(0) = [0, 1]", "x' = 1/x; x(0) = [0, 1]", "x' = -x/(x^2 + 1/100); x(0) = [-1, 1]",
-          "x' = 1/(x^2 + 1/100); x(0) = [-1, 1]", "x' = log(x); x(0) = [-1, 1]", "x' = x/a; x(0) = 1; a = [0, 1]",
-          "x' = x*sqrt(a); x(0) = 1; a = [-1, 1]"}) {
+          "x' = 1/(x^2 + 1/100); x(0) = [-1, 1]", "x' = log(x); x(0) = [0, 1]", "x' = x/a; x(0) = 1; a = [0, 1]",
+          "x' = x*sqrt(a); x(0) = 1; a = [0, 1]"}) {
         INFO(problem);
         for (const std::size_t parts : {1U, 2U}) {
             const auto found = enclosed_at(problem, {"1"}, parts);
@@ -305,7 +305,7 @@ TEST_CASE("sets on which the equations or their polynomial form are singular are
             REQUIRE(found.missing);
             CHECK(found.missing->kind() == error_kind::undecided);
             CHECK_THAT(found.missing->what(), Catch::Contains("no step from the initial point is proved") &&
-                                                  Catch::Contains("may be singular on the set for "));
+                                                  Catch::Contains("may be singular on the set"));
         }
     }
 }

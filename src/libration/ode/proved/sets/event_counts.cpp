@@ -114,7 +114,7 @@ private:
         steps_ += run.steps;
         if (!run.complete) {
             result.reason = text_of_reach(run.reached, run.begins, forward_);
-            result.may_divide = middle_is_complete(question, part);
+            result.may_divide = run.may_divide && middle_is_complete(question, part);
             return false;
         }
         const std::vector<ball> start = of_.states_of(part).hull();

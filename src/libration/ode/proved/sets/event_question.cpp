@@ -188,6 +188,8 @@ set_run_result event_question::enclosed_from(const number_box& box, bool with_de
         const auto event = search.next(asked_.way, asked_.before, asked_.horizon);
         if (!event) {
             note_end(search, i, result);
+            result.begins = search.march().steps() > 0;
+            result.may_divide = result.may_divide && (result.begins || is_defined_at_corners(of_, box));
         }
         if (!event || !note_event(*event, of_start, with_derivatives, i, result)) {
             result.reached = search.march().reached();

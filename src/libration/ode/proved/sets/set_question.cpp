@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "../needed_bits.hpp"
+#include "libration/ode/lifted_system.hpp"
+#include "libration/scalar/ball/predicates.hpp"
 
 namespace libration::ode {
 
@@ -73,6 +75,25 @@ std::vector<width_shares> shares_of(const ball_matrix& derivatives, const number
         }
     }
     return result;
+}
+
+bool is_defined_at_corners(const set_problem& of, const number_box& box) {
+    constexpr std::size_t most_sides = 8;  // of all of whose corners the values are computed
+    const lifted_system form = lifted(of.system());
+    const ball point = constant_value<ball>::of(of.system().point());
+    const std::size_t sides = std::min(box.size(), most_sides);
+    for (std::size_t corner = 0; corner < std::size_t{1} << sides; ++corner) {
+        number_box at;
+        for (std::size_t j = 0; j < box.size(); ++j) {
+            const ball& end = (corner >> std::min(j, most_sides - 1) & 1U) == 0 ? box[j].lower : box[j].upper;
+            at.push_back({end, end});
+        }
+        if (!std::ranges::all_of(lifted_values(form, point, of.states_of(at).hull()),
+                                 [](const ball& each) { return is_finite(each); })) {
+            return false;
+        }
+    }
+    return true;
 }
 
 std::string text_of_reach(const ball& reached, bool begins, bool forward) {

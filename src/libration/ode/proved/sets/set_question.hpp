@@ -92,6 +92,10 @@ proof_route route_for(const number_box& box, const proof_route& given);
 /// The shares by derivatives with respect to the numbers of a box, a row for each value.
 std::vector<width_shares> shares_of(const ball_matrix& derivatives, const number_box& box);
 
+/// Whether parts of a box from which no step is proved may have one, because the polynomial form of the equations is
+/// defined at all corners of the box, of which each part of a part has one.
+bool is_defined_at_corners(const set_problem& of, const number_box& box);
+
 /// Of a time or an event that is not reached by every solution of a box: up to where they are proved to exist.
 std::string text_of_reach(const ball& reached, bool begins, bool forward);
 

@@ -443,6 +443,7 @@ set_run_result span_question::enclosed_by(const number_box& box, bool with_deriv
             result.complete = false;
             result.reached = run->reached();
             result.begins = run->steps() > 0;
+            result.may_divide = result.begins || is_defined_at_corners(of_, box);
             result.forward = forward;
             result.shares = run->shares_at_end();
         }
