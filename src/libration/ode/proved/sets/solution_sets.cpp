@@ -28,8 +28,9 @@ error end_of(const divided_box& box, const set_problem& of, const time_span& mis
     std::string reason = text_of_reach(first.reached, first.begins, first.forward);
     if (!of.sets().empty()) {
         reason += ", and the enclosure ends first" + text_of_part(box.box_of_first_end(), of.sets(), box.parts()) +
-                  (first.begins ? ": choose earlier times, narrower intervals or more parts"
-                                : ": choose narrower intervals or more parts");
+                  (first.begins       ? ": choose earlier times, narrower intervals or more parts"
+                   : first.may_divide ? ": choose narrower intervals or more parts"
+                                      : ": choose narrower intervals");
     }
     return {error_kind::undecided, "time", text_of_time(time), reason};
 }
