@@ -61,10 +61,10 @@ answer ask_motion(const char* given, long digits) {
 
 // The parts of a question between bars.
 std::vector<std::string> parts_of(const std::string& question) {
-    std::vector<std::string> parts;
-    std::istringstream in(question);
-    for (std::string part; std::getline(in, part, '|');) {
-        parts.push_back(part);
+    std::vector<std::string> parts;  // without a stream, which would hide that there is no memory
+    for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {
+        end = question.find('|', begin);
+        parts.push_back(question.substr(begin, end - begin));
     }
     return parts;
 }
