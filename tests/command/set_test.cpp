@@ -176,7 +176,7 @@ TEST_CASE("what does not support sets says so in one line", "[command][sets]") {
 
 TEST_CASE("sets that are singular at the start end with status 1 and one line", "[command][sets]") {
     for (const std::string problem : {"x' = sqrt(x); x(0) = [0,1]", "x' = 1/x; x(0) = [0,1]",
-                                      "x' = -x/(x^2 + 1/100); x(0) = [-1,1]", "x' = x/a; x(0) = 1; a = [0,1]"}) {
+                                      "x' = log(x); x(0) = [0,1]", "x' = x/a; x(0) = 1; a = [0,1]"}) {
         for (const words& more :
              {words{"--time", "1"}, words{"--time", "1", "--parts", "4"}, words{"--over", "0:1"},
               words{"--until", "x = 20", "--before", "1"}, words{"--until", "x = 20", "--before", "1", "--how-many"}}) {
