@@ -177,6 +177,10 @@ if(words_python)
         add_test(NAME certificates_by_the_checker_in_c
             COMMAND ${words_python} -I ${PROJECT_SOURCE_DIR}/check/certified.py --c logistic harmonic)
         set_tests_properties(certificates_by_the_checker_in_c PROPERTIES TIMEOUT 60)
+        add_test(NAME forged_certificates
+            COMMAND ${words_python} ${PROJECT_SOURCE_DIR}/tests/certificates/forge.py --count 150
+                $<TARGET_FILE:libration-command> $<TARGET_FILE:libration-check>)
+        set_tests_properties(forged_certificates PROPERTIES TIMEOUT 300)
     endif()
 endif()
 

@@ -37,7 +37,8 @@ certificates() {
             --such-that "x(2) = 0" --digits 8 --certificate "$folder/root.cert" &&
         "$build/libration" find --problem van_der_pol --periodic --digits 8 --certificate "$folder/orbit.cert" &&
         "$python" "$tests/certificates/attack.py" --mutations 5000 "$folder"/{pendulum,stiff,zeros,root}.cert &&
-        "$python" "$tests/certificates/attack.py" --mutations 1000 "$folder"/{orbit,stiff}.cert
+        "$python" "$tests/certificates/attack.py" --mutations 1000 "$folder"/{orbit,stiff}.cert &&
+        "$python" "$tests/certificates/forge.py" --count 5000 --seed 2 "$build/libration" "$build/libration-check"
     status=$?
     ((status != 0)) || both_checkers "$folder" || status=1
     rm -r "$folder"

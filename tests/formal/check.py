@@ -21,6 +21,8 @@ EXAMPLES = {
     "robertson_40": ("robertson", "--time", "40", "--digits", "20"),
     "robertson_1e11": ("robertson", "--time", "1e11", "--digits", "20"),
     "lorenz_10": ("lorenz", "--time", "10", "--digits", "20"),
+    "names": ("S' = -S*H; H' = S; x' = other_y; other_y' = -x; u_1' = B; B' = 0; S(0) = 1; H(0) = 0; x(0) = 0; other_y(0) = 1; "
+              "u_1(0) = 0; B(0) = 1", "--time", "1/4", "--digits", "8"),
 }
 
 # Coq's real numbers, and its machine integers with their specification.
@@ -137,6 +139,27 @@ def reject_changes(work, path):
     print("%d certificates with one number changed: none accepted" % len(changes), flush=True)
 
 
+def reject_what_is_not_covered(work, path):
+    """The converter ends with one line."""
+    text = zlib.decompress(path.read_bytes()).decode()
+    claim = next(line for line in text.split("\n") if line.startswith("claim ")).split(" ")
+    later = claim[:1] + ["1000"] + claim[2:]
+    cases = {
+        "a claim in no step": text.replace("\nsteps", "\n%s\nsteps" % " ".join(later)),
+        "a name that is reserved": text.replace("equation y'", "equation pi'").replace(" y ", " pi "),
+        "a definition of pi": text.replace("\nbits", "\ndefine pi = exp(y)\nbits"),
+        "names that are confused": text.replace("equation y' = ", "equation the_t' = 0\nequation t' = "),
+        "two certificates": text + text,
+    }
+    for what, changed_text in cases.items():
+        wrong = work / "uncovered.cert"
+        wrong.write_bytes(zlib.compress(changed_text.encode()))
+        run = subprocess.run([sys.executable, "-I", str(PROOFS / "convert.py"), str(wrong), "name"], capture_output=True, text=True)
+        if run.returncode != 1 or run.stdout or run.stderr.count("\n") != 1:
+            raise Failure("%s: the converter ends with status %d: %s" % (what, run.returncode, run.stdout + run.stderr))
+    print("%d certificates that are not covered: each refused in one line" % len(cases), flush=True)
+
+
 def failing_lemma(path, output):
     """The lines around an error of coqc."""
     found = re.search(r"line (\d+)", output)
@@ -157,6 +180,7 @@ def main():
         for name in names:
             path = prove(program, work, name)
             if name == "tangent":
+                reject_what_is_not_covered(work, path)
                 reject_changes(work, path)
     except (Failure, subprocess.CalledProcessError) as reason:
         sys.exit("test --formal: %s" % reason)
