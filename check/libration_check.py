@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""libration_check.py FILE: proves the statement of a certificate, or refuses it.
+"""libration_check.py FILE: proves the statement of a certificate, or rejects it.
 
 A certificate has equations, initial values, claims, and a tube around the solution, step by step.
 The conditions from which the claims follow are checked by integers and fractions: exactly, or
@@ -13,7 +13,7 @@ import sys
 import zlib
 from fractions import Fraction
 
-# ------------------------------------------------------------------------- Limits and refusals
+# -------------------------------------------------------------------------- Limits and reasons
 # Each limit is checked before the work that it bounds. Both checkers have the same.
 MOST_TEXT = 2**28  # characters of a certificate
 MOST_FORMULA, MOST_DIGITS = 100_000, 4000  # characters of a formula, digits of an integer
@@ -399,7 +399,7 @@ class Reader:  # lists of coefficients have hexadecimal digits
 
 # ----------------------------------------------------------------------- Head of a certificate
 # A statement shows equations, starts and a condition as they are typed. They say what they seem to
-# say, because each name has one meaning: names of the variable and of unknowns are no functions,
+# say, because each name has one meaning: names of the variable and of unknowns are not functions,
 # not pi, and have no primes, which are derivatives; definitions are _1, _2, .., names of nothing
 # else. Equations and the condition contain the variable and the unknowns, definitions also those
 # before them, starts only pi.

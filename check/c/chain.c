@@ -2,8 +2,8 @@
 
 #include "check.h"
 
-/* If each step begins in the tube of the step before, and the first one in the box of the initial values, the solution
-   exists up to the end of the last step, and is in the tubes. */
+/* If each step begins in the tube of the step before, and the first one in the box of the
+   initial values, the solution exists up to the end of the last step, and is in the tubes. */
 
 /* The box of the enclosures of the initial values. */
 static Set start_of(const Problem* p) {

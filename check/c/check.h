@@ -1,20 +1,21 @@
-// libration_check FILE: proves the statement of a certificate, or refuses it, as check/libration_check.py does.
-// The format and the theorems are in docs/certificates.md. Integers and fractions only: exact, or rounded to the
-// safe side. Exit status: 0 if the statement is proved, 1 if a condition of a theorem does not hold, 2 if the file
-// is not a certificate of this format.
+// libration_check FILE: proves the statement of a certificate, or rejects it, as the program
+// check/libration_check.py does. The format and the theorems are in docs/certificates.md. Integers
+// and fractions only: exact, or rounded to the safe side. Exit status: 0 if the statement is
+// proved, 1 if a condition of a theorem does not hold, 2 if the file is not a certificate of this
+// format.
 //
 //     gcc -O2 check/c/*.c -lgmp -lz -o libration_check
 //
-// refusal.c     ends with a reason               memory.c      regions in which numbers are allocated
-// number.c      fractions, and their rounding    list.c        polynomials on a step
-// formula.c     trees of formulas                polynomial.c  polynomials in the unknowns
-// enclosure.c   intervals of initial values      reader.c      lines of a certificate
-// problem.c     head of a certificate            form.c        polynomial form of the equations
-// step.c        numbers of a step                joint.c       where the step begins
-// field.c       equations along the tube         growth.c      theorem K
-// progress.c    claims and zeros                 chain.c       from the initial time to the last step
-// statement.c   what is printed                  root.c        Newton's method
-// main.c        the file
+// reason.c     why nothing is proved           memory.c      regions in which numbers are
+// number.c     fractions, and their rounding   list.c        polynomials on a step
+// formula.c    trees of formulas               polynomial.c  polynomials in the unknowns
+// enclosure.c  intervals of initial values     reader.c      lines of a certificate
+// problem.c    head of a certificate           form.c        polynomial form of the equations
+// step.c       numbers of a step               joint.c       where the step begins
+// field.c      equations along the tube        growth.c      theorem K
+// progress.c   claims and zeros                chain.c       from the first step to the last one
+// statement.c  what is printed                 root.c        Newton's method
+// main.c       the file
 #ifndef LIBRATION_CHECK_H
 #define LIBRATION_CHECK_H
 
@@ -47,13 +48,14 @@ enum {
 };
 static const long MOST_STEP = 1L << 34;  // bits of the products of polynomials on a step
 
-/* refusal.c */
+/* reason.c */
 extern long step_number;                            // of the step that is checked, or 0
 void need(int condition, const char* reason, ...);  // of a condition of a theorem
 void form(int condition, const char* reason, ...);  // of the format
 const char* clipped(const char* text);  // at most 60 characters of a text, for reasons
 
-/* memory.c: a number belongs to the region of the problem, of one of two steps, or of a sign. */
+/* memory.c: a number belongs to the region of the problem, of one of two steps, or of a
+   sign. */
 enum {
     PROBLEM,
     STEP,
@@ -87,15 +89,15 @@ Q up(Q a);       // to a multiple of 2^-bits
 Q root_up(Q a);  // of a sum of squares of bounds
 Q power(Q a, unsigned long n);
 long size_in_bits(Q a);  // of the larger one of numerator and denominator
-Q limited(Q a);          // refuses what is too large
+Q limited(Q a);          // rejects what is too large
 Q fraction(const char* text);
 Q integer_of(const char* digits, size_t length);
 
-/* list.c: a polynomial in x on [-1, 1] is a list a of integers, with an exponent k that is kept apart. With
-   x = (z + 1/z)/2 and the Chebyshev polynomials T_j = (z^j + z^-j)/2 it is
+/* list.c: a polynomial in x on [-1, 1] is a list a of integers, with an exponent k that is
+   kept apart. With x = (z + 1/z)/2 and the Chebyshev polynomials T_j = (z^j + z^-j)/2 it is
        2^-k (a[0] + sum over j > 0 of 2 a[j] T_j(x)) = 2^-k (sum over all j of a[|j|] z^j).
-   So products are products of polynomials in z, and, because |T_j| <= 1 on [-1, 1], the sum of all |a[|j|]|, j
-   positive and negative, is at least |a(x)|. */
+   So products are products of polynomials in z, and, because |T_j| <= 1 on [-1, 1], the sum
+   of all |a[|j|]|, j positive and negative, is at least |a(x)|. */
 typedef struct {
     long n;
     mpz_ptr c;
@@ -114,7 +116,7 @@ List dot(const List* u, long du, const List* v, long dv,
        sum     = product { (+|-) product }
        product = signed { (*|/) signed }
        signed  = - signed  |  atom [ ^ signed ]
-       atom    = integer  |  name  |  name ( sum )  |  ( sum )                                                  */
+       atom    = integer  |  name  |  name ( sum )  |  ( sum ) */
 typedef struct Tree {
     char kind;  // '0' number, 'x' name, 'f' function, '^' power, '+' sum, '*' product
     const char* name;
@@ -132,8 +134,9 @@ size_t name_length(const char* s);  // of the name that s begins with, with its 
 int is_function(const char* name);
 int is_reserved(const char* name);
 
-/* polynomial.c: polynomials in the variable (number 0) and the unknowns (1, 2, ..), as sums of different products
-   v[0] <= v[1] <= .. in their order, with coefficients that are nonzero. */
+/* polynomial.c: polynomials in the variable (number 0) and the unknowns (1, 2, ..), as sums
+   of different products v[0] <= v[1] <= .. in their order, with coefficients that are
+   nonzero. */
 typedef struct {
     long n;
     int* v;

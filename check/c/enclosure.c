@@ -2,8 +2,8 @@
 
 #include "check.h"
 
-/* Values of formulas as pairs (lower, upper), by interval arithmetic. The functions are sums of their series in
-   integers, times 2^-b. */
+/* Values of formulas as pairs (lower, upper), by interval arithmetic. The functions are sums
+   of their series in integers, times 2^-b. */
 static long precision;  // bits behind the point
 
 Interval exactly(Q a) { return (Interval){a, a}; }
@@ -17,8 +17,8 @@ Interval linear(Q a, Interval x, Q b, Interval y) {
                       plus(largest(ax, az), largest(by, bz))};
 }
 
-/* exp, sin or cos, by terms x^j/j!: each has an error below 2 e^|x| units, the argument one of e^|x|, and the rest
-   is below 8. */
+/* exp, sin or cos, by terms x^j/j!: each has an error below 2 e^|x| units, the argument one
+   of e^|x|, and the rest is below 8. */
 static Interval entire(Q x, char kind) {
     form(mpq_cmp(absolute(x), q(MOST_ARGUMENT)) < 0,
          "a start has an argument that is too large");

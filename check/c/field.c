@@ -31,7 +31,8 @@ static int contains_time(const Problem* p, long equations) {
     return 0;
 }
 
-/* The time is s + h/2 + (h/4) 2 T_1, a list of integers times 1/denominator. Sets the factors and their exponent. */
+/* The time is s + h/2 + (h/4) 2 T_1, a list of integers times 1/denominator. Sets the
+   factors and their exponent. */
 static Q scale_factors(const Step* s, Scaling* of) {
     Q half = over(s->length, q(2));
     Q time[] = {plus(s->begin, half), over(half, q(2))};
@@ -128,7 +129,8 @@ static List product_of(Product** known, const List* factor, const int* v, long n
     return product;
 }
 
-/* The change of |c| times a product in the tube, where |Y_i - p_i| <= rho_i and |p_i| <= reach_i. */
+/* The change of |c| times a product in the tube, where |Y_i - p_i| <= rho_i and |p_i| <=
+   reach_i. */
 static Q change(Term t, Q* reach, Q* rho) {
     Q larger = q(1);
     Q smaller = q(1);
@@ -151,7 +153,8 @@ static void tube_bounds(const Step* s, const Scaling* of, Field* f, Q* reach, Q*
         rho[i + 1] = up(row_times(f->size_of_V + i * s->n, s->at, s->blocks, radii));
 }
 
-/* Adds the derivatives of a term by its different unknowns to J, and the bounds of their changes. */
+/* Adds the derivatives of a term by its different unknowns to J, and the bounds of their
+   changes. */
 static void add_derivatives(Field* f, const Scaled* x, const Scaling* of, Product** known,
                             Q factor, Q* reach, Q* rho) {
     Term t = x->t;

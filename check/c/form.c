@@ -3,9 +3,10 @@
 
 #include "check.h"
 
-/* Quotients, powers that are not whole, and functions are added unknowns w of u, a polynomial. Then the equations are
-   polynomials; that of w is u' times dw/du, which is a polynomial in w and further added unknowns. As long as the
-   solution of this system exists, it is that of the equations. */
+/* Quotients, powers that are not whole, and functions are added unknowns w of u, a
+   polynomial. Then the equations are polynomials; that of w is u' times dw/du, which is a
+   polynomial in w and further added unknowns. As long as the solution of this system exists,
+   it is that of the equations. */
 
 /* The formulas of a start, one or two. */
 static long formulas_of_start(char* text, Formula* found) {

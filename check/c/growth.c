@@ -13,7 +13,8 @@ static void above(List a, Q unit, Q part[PARTS]) {
     }
 }
 
-/* At least the largest eigenvalue of ((a, m/2), (m/2, d)): (a + d + sqrt((a - d)^2 + m^2))/2. */
+/* At least the largest eigenvalue of ((a, m/2), (m/2, d)): (a + d + sqrt((a - d)^2 +
+   m^2))/2. */
 static Q eigenvalue(Q a, Q d, Q m) {
     Q difference = minus(a, d);
     Q root = root_up(plus(times(difference, difference), times(m, m)));
@@ -43,8 +44,8 @@ static Q rate(const List* B, long n, long i, long size, Q unit) {
     return most;
 }
 
-/* In the tube B = B0 + change, where B0 = U (J V - V') is known as polynomials, and the change, with that by N, is at
-   most C - |B0|, C = N1 (|B0| + |U| change_of_J |V|). */
+/* In the tube B = B0 + change, where B0 = U (J V - V') is known as polynomials, and the
+   change, with that by N, is at most C - |B0|, C = N1 (|B0| + |U| change_of_J |V|). */
 typedef struct {
     Q *C, *rates;
 } Rates;

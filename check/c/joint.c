@@ -7,8 +7,9 @@ static Q sum_of(Q* row, long n) {
     return x;
 }
 
-/* V^-1 = (1 + N) U with |1 + N| <= N1, by Neumann's series for V^-1 = (1 + Z)^-1 U, Z = U V - 1, with bounds z of |Z|
-   of the largest row sum q <= 1/2: |N_ij| <= z_ij + (row sum i of z^2)/(1 - q). */
+/* V^-1 = (1 + N) U with |1 + N| <= N1, by Neumann's series for V^-1 = (1 + Z)^-1 U, Z = U V
+   - 1, with bounds z of |Z| of the largest row sum q <= 1/2: |N_ij| <= z_ij + (row sum i of
+   z^2)/(1 - q). */
 void check_frame(Step* s) {
     long n = s->n;
     long k = s->ku + s->kv;

@@ -70,7 +70,8 @@ List add(List a, List b, Q factor) {
 
 List scaled(List a, Q factor) { return add(nothing, a, factor); }
 
-/* Adds the product of a and b, polynomials in z with all powers, to c: the coefficients of z^0, z^1, .. */
+/* Adds the product of a and b, polynomials in z with all powers, to c: the coefficients of
+   z^0, z^1, .. */
 static void add_product(List c, List a, List b) {
     for (long k = 1 - a.n; k < a.n; ++k) {
         long first = k < b.n ? 0 : k - b.n + 1;

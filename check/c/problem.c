@@ -4,10 +4,11 @@
 
 #include "check.h"
 
-/* A statement shows equations, starts and a condition as they are typed. They say what they seem to say, because
-   each name has one meaning: names of the variable and of unknowns are no functions, not pi, and have no primes,
-   which are derivatives; definitions are _1, _2, .., names of nothing else. Equations and the condition contain the
-   variable and the unknowns, definitions also those before them, starts only pi. */
+/* A statement shows equations, starts and a condition as they are typed. They say what they
+   seem to say, because each name has one meaning: names of the variable and of unknowns are
+   not functions, not pi, and have no primes, which are derivatives; definitions are _1, _2,
+   .., names of nothing else. Equations and the condition contain the variable and the
+   unknowns, definitions also those before them, starts only pi. */
 
 static void add_unknown(Problem* p, const char* name) {
     long k = p->names.count;

@@ -1,11 +1,13 @@
 #include "check.h"
 
-/* A value in the tube at x is within sum_b |V_ib(x)| r_b(x) of p_i(x). On an interval [u, v] of x, values, |V_ib| and
-   r_b differ from those in the middle by at most (v - u)/2 times a bound of their derivatives.
+/* A value in the tube at x is within sum_b |V_ib(x)| r_b(x) of p_i(x). On an interval [u, v]
+   of x, values, |V_ib| and r_b differ from those in the middle by at most (v - u)/2 times a
+   bound of their derivatives.
 
-   A function has on [u, v] the sign of its value in the middle if that is larger than (v - u)/2 times a bound of the
-   slope, plus the change in the tube; it has that of both ends if these are equal and its derivative has a sign. A
-   condition with different signs before and behind an interval, where its derivative has a sign, has one zero there. */
+   A function has on [u, v] the sign of its value in the middle if that is larger than (v -
+   u)/2 times a bound of the slope, plus the change in the tube; it has that of both ends if
+   these are equal and its derivative has a sign. A condition with different signs before and
+   behind an interval, where its derivative has a sign, has one zero there. */
 
 /* A time as a value of x. */
 static Q place(const Step* s, Q time) {
@@ -38,7 +40,8 @@ static void check_claim(const Step* s, const Claim* c, Q u, Q v) {
          c->field[0]);
 }
 
-/* The sign on [u, v] of the condition, k = 0, or of its derivative, k = 1; 0 if it is not proved. */
+/* The sign on [u, v] of the condition, k = 0, or of its derivative, k = 1; 0 if it is not
+   proved. */
 static int sure(const Step* s, int k, Q u, Q v) {
     int before = region;
     region = SIGN;
@@ -51,8 +54,8 @@ static int sure(const Step* s, int k, Q u, Q v) {
     return sign;
 }
 
-/* The sign of the condition on a part, or 0. Where the condition is 0 at the initial time, the sign of its derivative
-   is that behind it. */
+/* The sign of the condition on a part, or 0. Where the condition is 0 at the initial time,
+   the sign of its derivative is that behind it. */
 static int sign_on_part(const Step* s, Q u, Q v) {
     const Problem* p = s->problem;
     int starts = p->zero_start && mpq_equal(s->begin, p->t0) && mpq_cmp_si(u, -1, 1) == 0;
@@ -115,7 +118,8 @@ static void check_interval(Progress* done, const Step* s, Q u, Q v) {
     done->sign = sign;
 }
 
-/* Interval 0 is before the first zero, 1 has it, 2 is behind it, and so on; the last one is one time. */
+/* Interval 0 is before the first zero, 1 has it, 2 is behind it, and so on; the last one is
+   one time. */
 static void check_intervals(Progress* done, const Step* s) {
     const Problem* p = s->problem;
     long ends = 2 * p->zeros;

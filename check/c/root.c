@@ -3,14 +3,15 @@
 
 #include "check.h"
 
-/* Newton's method. Let F(u) be the differences of both sides of the conditions at the end, m a vector, r > 0, and C a
-   matrix. If, for the values F(m) and F' of all u with |u_j - m_j| <= r_j,
+/* Newton's method. Let F(u) be the differences of both sides of the conditions at the end, m
+   a vector, r > 0, and C a matrix. If, for the values F(m) and F' of all u with |u_j - m_j|
+   <= r_j,
 
        |C F(m)|_i + sum_j |(1 - C F')_ij| r_j < r_i   for every i,
 
-   then F = 0 for exactly one of these u. F(m) is in the intervals of the first certificate; column j of F' is in those
-   of certificate j + 1, derivatives by the start of unknown j; if the time is an unknown, the last column has the
-   derivatives by it. */
+   then F = 0 for exactly one of these u. F(m) is in the intervals of the first certificate;
+   column j of F' is in those of certificate j + 1, derivatives by the start of unknown j; if
+   the time is an unknown, the last column has the derivatives by it. */
 typedef struct {
     char** field;  // root NAME GOAL C_1 .. C_n
     long fields;

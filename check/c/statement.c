@@ -2,7 +2,8 @@
 
 #include "check.h"
 
-/* The equations with their starts, on an interval that contains the initial time and all these times. */
+/* The equations with their starts, on an interval that contains the initial time and all
+   these times. */
 void print_head(const Problem* p, char** times, long count) {
     char *first = p->t0_text, *last = first;
     Q low = p->t0, high = low;

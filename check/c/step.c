@@ -42,7 +42,8 @@ Q* bounds(const List* a, long count, Q unit) {
     return b;
 }
 
-/* A matrix with one exponent, the largest one, from one with an exponent for each row or column. */
+/* A matrix with one exponent, the largest one, from one with an exponent for each row or
+   column. */
 static List* matrix(Reader* r, const char* word, long n, int by_rows, long* most) {
     long* k;
     List* a = section(r, word, n, &k, n * n);

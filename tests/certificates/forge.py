@@ -28,7 +28,7 @@ sys.path.insert(0, str(HERE.parents[1] / "check"))
 import libration_check as checker  # noqa: E402
 
 sys.setrecursionlimit(10000)  # of judge.py
-SECONDS = 30  # of a check, with room for a machine that is busy
+SECONDS = 30  # of a check, on a machine that is busy
 RESERVED = ["pi", "e", "exp", "log", "sin", "sqrt", "t", "s", "y'", "x'", "y''", "_1", "_2", "_", "1", "", "d(y)", "#1"]
 # Lines for equations and starts, and the conditions of roots and of events.
 HONEST = {
@@ -99,7 +99,7 @@ class Forger:
         return "\n".join(lines)
 
     def other_line(self, text):
-        """A line of another honest certificate in place of one that begins with the same word."""
+        """A line of another honest certificate instead of one that begins with the same word."""
         lines, others = text.split("\n"), self.random.choice(self.texts).split("\n")
         at = self.pick(lines, "[a-z]")
         same = [x for x in others if x.split(" ")[0] == lines[at].split(" ")[0]]
@@ -268,7 +268,7 @@ def by_c(program, path):
 
 
 def fault_of(content, program, path):
-    """What is wrong about the verdicts, and the status."""
+    """The fault of the verdicts, and the status."""
     path.write_bytes(content)
     try:
         first = by_python(content)

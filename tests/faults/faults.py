@@ -49,6 +49,7 @@ SEQUENCES = "scalar/ball/polynomial_test.cpp"
 BALL_SOURCES = "src/libration/scalar/ball/"
 DOMAINS = "ode/domain/defined_zero_test.cpp"
 CERTIFICATES = "problem/certificate_test.cpp"
+LIMITS = "certificates/limits_test.cpp"
 
 FAULTS = [
     *in_file(
@@ -1100,6 +1101,19 @@ FAULTS = [
         ("a return without the start", "flow[place][by] - 1 : flow[place][by]", "flow[place][by] : flow[place][by]"),
         ("claims as wide as the box", "const rational part_of_errors(1, 8);", "const rational part_of_errors(8, 1);"),
         ("the derivatives by one start alone", ".varied = of_.places[k]", ".varied = of_.places[0]"),
+    ),
+    *in_file(
+        "src/libration/problem/solution/certified_root.cpp", [LIMITS],
+        ("a smaller box about the old middle", "set_box(radii);\n            find_middle();", "set_box(radii);"),
+    ),
+    *in_file(
+        "src/libration/ode/rigorous/certificate/certificate_text.cpp", [LIMITS],
+        ("names of definitions for unknowns", "if (!spelt || defined ||", "if (!spelt ||"),
+        ("depths without signs and exponents", "deepest = std::max(deepest, depth);", "deepest = std::max(deepest, open.size());"),
+    ),
+    *in_file(
+        "src/libration/ode/rigorous/certificate/certificate_problem.cpp", [LIMITS],
+        ("any whole power", "r > most_certified_power", "false"),
     ),
     *in_file(
         "src/libration/ode/rigorous/certificate/varied_form.cpp", [CERTIFICATES],

@@ -1,4 +1,4 @@
-// The limits of certificates (docs/certificates.md), so that none is written that the programs that check refuse.
+// The limits of certificates (docs/certificates.md), so that none is written that the programs that check reject.
 #pragma once
 
 #include <cstddef>
