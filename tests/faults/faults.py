@@ -783,7 +783,10 @@ FAULTS = [
         ("one list for all", "return std::ranges::all_of(candidates, [&](const number& each) {",
          "candidates.resize(1);\n        return std::ranges::all_of(candidates, [&](const number& each) {"),
         ("a derivative with an open step", "if (!same || at_.sign(now) != 0) {", "if (at_.sign(now) != 0) {"),
-        ("rest taken for the value above", ": std::optional(sign_number(0));", ": std::optional(sign_number(1));"),
+        ("rest taken for the value above", "return sign_number(0);", "return sign_number(1);"),
+        ("rest in the argument of another step", "zero.level || is_in_another_argument(i)", "zero.level"),
+        ("steps of other unknowns left out", "influences_ = system_.influences_on(of);",
+         "influences_.assign(found_.size(), false);"),
         ("a jump at rest not stated", "by_relation_.push_back(i);", ""),
         ("the first sign taken for all", "return each.sign == first_sign;", "return each.sign.has_value();"),
     ),
@@ -802,6 +805,16 @@ FAULTS = [
     *in_file(
         "src/libration/ode/hybrid/proved/hybrid_trajectory.cpp", ["problem/branches_test.cpp"],
         ("near times in any order", ": (times[a] - times[b]).sign() < 0;", ": false;"),
+    ),
+    *in_file(
+        "src/libration/ode/hybrid/hybrid_system.cpp", ["problem/branches_test.cpp"],
+        ("the other side of a surface not defined", "keep_both_sides(i, values, smooth);", ""),
+        ("an argument at rest not defined", "right = right + zero_where_defined(argument(step, values));", ""),
+    ),
+    *in_file(
+        "src/libration/ode/domain/choice.cpp", ["problem/branches_test.cpp"],
+        ("a factor of a choice taken for a part of it", "return holds * a + (1 - holds) * b + unfolded_zero(holds);",
+         "return holds * a + (1 - holds) * b;"),
     ),
     *in_file(
         "src/libration/ode/text/piecewise.cpp", ["problem/branches_test.cpp", "ode/hybrid/hybrid_text_test.cpp"],

@@ -112,6 +112,12 @@ TEST_CASE("solutions that are not unique have no value", "[problem][hybrid]") {
         INFO(text);
         CHECK_FALSE(refusal(text, "2").empty());
     }
+    // Other solutions leave the surface later, where a step inside the other branch changes.
+    for (const std::string text : {"x' = x + (1 + sign(t - 2 + sign(x)^2))*sign(x); x(0) = 0",
+                                   "x' = x + if(t + sign(x)^2 > 2, sign(x), 0); x(0) = 0"}) {
+        INFO(text);
+        CHECK_FALSE(refusal(text, "3/2").empty());
+    }
     // One choice remains although another argument depends on the sign.
     CHECK(refusal("x' = 1; x(0) = 0; z' = 1; z(0) = 0; y' = if(z - 1 + sign(x) > 0, 1, 2); y(0) = 0", "1").empty());
     CHECK_THAT(refusal("x' = -sign(x); x(0) = 1", "2"), Catch::Contains("slides"));
@@ -124,6 +130,18 @@ TEST_CASE("a function that vanishes on a branch keeps its domain", "[problem][hy
     CHECK_THAT(refusal("x' = abs(x)*log(1 - t); x(0) = 0", "2"), Catch::Contains("is not reached"));
     CHECK_THAT(refusal("y' = sign(a)*log(1 - t); y(0) = 0; a = 0", "2"), Catch::Contains("is not reached"));
     CHECK_THAT(refusal("y' = floor(t/9)*log(1 - t); y(0) = 0", "2"), Catch::Contains("is not reached"));
+    // Factors of what is chosen, and arguments.
+    for (const std::string text :
+         {"y' = max(t - 3, 0)*log(1 - t); y(0) = 0", "y' = if(t > 3, 1, 0)*log(1 - t); y(0) = 0",
+          "x' = max(x, 0)/(1 - t); x(0) = -1", "y' = if(sign(a)*log(1 - t) + 1 > 0, 1, 2); y(0) = 0; a = 0",
+          "y' = floor(floor(t/5)*sqrt(1 - t) + 3/2); y(0) = 0",
+          "y' = if(log(z) >= log(z), 1, 2); z' = -1; z(0) = 1; y(0) = 0",
+          "y' = max(log(1 - t), log(1 - t)) - log(1 - t); y(0) = 0", "x' = if(x > 0, 2*x/(t - 1), 0); x(0) = 0"}) {
+        INFO(text);
+        CHECK_THAT(refusal(text, "2"), Catch::Contains("is not reached"));
+        CHECK(refusal(text, "1/2").empty());
+    }
+    CHECK(refusal("y' = if(t > 3, log(1 - t), 0); y(0) = 0", "2").empty());
     // What is not chosen need not be defined.
     CHECK(refusal("y' = if(a > 0, log(1 - t), 1); y(0) = 0; a = 0", "2").empty());
 }

@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "libration/ode/domain/defined_zero.hpp"
+#include "libration/ode/domain/choice.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/text/utf8.hpp"
 
@@ -224,20 +224,8 @@ number parameter_values::number_of(const expression& e) {
     return value.constant();
 }
 
-// Parameters keep the domain of what they multiply, step functions that are 0 too: 0*log(1 - t) has no value from t = 1
-// on. Indicators choose between branches: of those that are not chosen nothing is left.
 expression parameter_values::substituted(const expression& e) const {
-    if (!e.has_parameters()) {
-        return e;
-    }
-    const auto by = [&](bool indicators) -> replacement {
-        return [&, indicators](const expression& leaf) {
-            const bool here = leaf.kind() == node_kind::parameter && is_indicator(leaf.name()) == indicators;
-            return here ? std::optional(values_.at(leaf.name())) : std::nullopt;
-        };
-    };
-    const expression factors = replaced_as_written(e, by(false));
-    return factors.has_parameters() ? replaced(factors, by(true)) : factors;
+    return with_parameters(e, [&](const std::string& name) { return std::optional(values_.at(name)); });
 }
 
 // Depth first without recursion: each definition in `open_` needs the one after it.

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -72,6 +73,9 @@ public:
     explicit_system first_branch(const step_values& values) const { return branch(values, point_, starts_); }
     /// The index of the step function that a parameter in the equations represents.
     std::size_t step_of(const std::string& parameter) const { return step_places_.at(parameter); }
+    /// The step functions that influence an expression along the solution: those in it, in the equations of the unknowns
+    /// in it, and so on. All of them if the equations are not given for the highest derivatives.
+    std::vector<bool> influences_on(const expression& e) const;
     /// The argument of a step function, where earlier ones have these values.
     expression argument(std::size_t step, const step_values& values) const;
     /// Its value if the argument is constant on the branch.
@@ -86,7 +90,10 @@ public:
 
 private:
     equation_system equations(const step_values& values, const number& point, const std::vector<number>& state) const;
+    void keep_both_sides(std::size_t step, const step_values& values, equation_system& of) const;
     void read_starts(parameter_values& parameters);
+    void read_dependence();
+    void add_influences(const expression& e, std::set<std::string>& unknowns, std::vector<bool>& steps) const;
     void require_state_in_events() const;
     std::vector<expression> levels(std::size_t step, const expression& u, const number& value) const;
 
@@ -96,6 +103,7 @@ private:
     number point_;
     std::vector<state_variation> variations_;
     std::map<std::string, std::size_t> step_places_;
+    std::map<std::string, std::size_t> equation_places_;  // of unknowns; empty if one is not given explicitly
 };
 
 /// Replaces parameters in the equations, step functions and events of a system.

@@ -4,6 +4,8 @@
 #include <map>
 #include <utility>
 
+#include "libration/ode/domain/choice.hpp"
+#include "libration/ode/domain/defined_zero.hpp"
 #include "libration/scalar/error.hpp"
 
 namespace libration::ode {
@@ -148,6 +150,48 @@ hybrid_system::hybrid_system(const equation_system& given) : given_(given) {
             step_places_.emplace(each.name, i);
         }
     }
+    read_dependence();
+}
+
+// The equations y^(n) = f without highest derivatives in f.
+void hybrid_system::read_dependence() {
+    const auto orders = given_.highest_derivatives();
+    const auto is_highest = [&](const expression& e) {
+        return e.kind() == node_kind::unknown && e.derivative() >= std::max(orders.at(e.name()), 1);
+    };
+    for (std::size_t i = 0; i < given_.equations.size(); ++i) {
+        const equation& each = given_.equations[i];
+        bool explicitly = is_highest(each.left);
+        each_leaf(each.right, [&](const expression& leaf) { explicitly = explicitly && !is_highest(leaf); });
+        if (!explicitly) {
+            equation_places_.clear();
+            return;
+        }
+        equation_places_.emplace(each.left.name(), i);
+    }
+}
+
+void hybrid_system::add_influences(const expression& e, std::set<std::string>& unknowns,
+                                   std::vector<bool>& steps) const {
+    each_leaf(e, [&](const expression& leaf) {
+        if (leaf.kind() == node_kind::unknown && unknowns.insert(leaf.name()).second) {
+            add_influences(given_.equations[equation_places_.at(leaf.name())].right, unknowns, steps);
+        }
+        if (leaf.kind() == node_kind::parameter && !steps[step_of(leaf.name())]) {
+            steps[step_of(leaf.name())] = true;
+            add_influences(given_.steps[step_of(leaf.name())].argument, unknowns, steps);
+        }
+    });
+}
+
+std::vector<bool> hybrid_system::influences_on(const expression& e) const {
+    if (equation_places_.empty()) {
+        return std::vector<bool>(given_.steps.size(), true);
+    }
+    std::vector<bool> steps(given_.steps.size());
+    std::set<std::string> unknowns;
+    add_influences(e, unknowns, steps);
+    return steps;
 }
 
 void hybrid_system::read_starts(parameter_values& parameters) {
@@ -253,6 +297,9 @@ equation_system hybrid_system::equations(const step_values& values, const number
     smooth.steps.clear();
     smooth.starts.clear();
     for (std::size_t i = 0; i < values.size(); ++i) {
+        if (is_at_rest(i, values)) {
+            keep_both_sides(i, values, smooth);
+        }
         for (const definition& each : parameters_of(given_.steps[i], values[i])) {
             smooth.set(each.name, each.value);
         }
@@ -261,6 +308,24 @@ equation_system hybrid_system::equations(const step_values& values, const number
         smooth.begin(leaves_[k], expression(state[k]), expression(point));
     }
     return smooth;
+}
+
+// Where the argument of a sign remains 0, it and what the equations are on both sides of its surface have to be defined.
+void hybrid_system::keep_both_sides(std::size_t step, const step_values& values, equation_system& of) const {
+    std::map<std::string, expression> known;
+    for (const definition& each : parameters_of(given_.steps[step], values[step])) {
+        known.emplace(each.name, each.value);
+    }
+    const auto value = [&](const std::string& name) {
+        const auto found = known.find(name);
+        return found != known.end() ? std::optional(found->second) : std::nullopt;
+    };
+    for (equation& each : of.equations) {
+        each.left = with_parameters(each.left, value, true);
+        each.right = with_parameters(each.right, value, true);
+    }
+    expression& right = of.equations.front().right;
+    right = right + zero_where_defined(argument(step, values));
 }
 
 expression hybrid_system::argument(std::size_t step, const step_values& values) const {
@@ -274,9 +339,7 @@ expression hybrid_system::argument(std::size_t step, const step_values& values) 
             known.emplace(each.name, each.value);
         }
     }
-    return replaced(u, [&](const expression& leaf) {
-        return leaf.kind() == node_kind::parameter ? std::optional(known.at(leaf.name())) : std::nullopt;
-    });
+    return with_parameters(u, [&](const std::string& name) { return std::optional(known.at(name)); });
 }
 
 std::optional<number> hybrid_system::constant_step(std::size_t step, const step_values& values) const {

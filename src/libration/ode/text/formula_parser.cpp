@@ -345,7 +345,7 @@ private:
             refuse(sign.text, sign.at, "is not a comparison: write " + form_of(piecewise_kind::conditional));
         }
         const expression right = before_end(opened);
-        return {sign.symbol == '>' ? left - right : right - left, sign.or_equal};
+        return {sign.symbol == '>' ? written_sum(left, -right) : written_sum(right, -left), sign.or_equal};
     }
 
     void refuse_comma(const token& word, const std::string& reason) const {

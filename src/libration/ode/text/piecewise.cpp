@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "libration/ode/domain/choice.hpp"
+#include "libration/ode/domain/defined_zero.hpp"
 #include "libration/ode/hybrid/hybrid_system.hpp"
 
 namespace libration::ode {
@@ -60,8 +62,8 @@ expression step_collector::value_of(piecewise_kind kind, const std::vector<expre
         case piecewise_kind::conditional: break;
         case piecewise_kind::absolute: return if_positive(u, u, -u);
         case piecewise_kind::sign: return sign_of_u();
-        case piecewise_kind::maximum: return if_positive(u - arguments[1], u, arguments[1]);
-        case piecewise_kind::minimum: return if_positive(u - arguments[1], arguments[1], u);
+        case piecewise_kind::maximum: return if_positive(written_sum(u, -arguments[1]), u, arguments[1]);
+        case piecewise_kind::minimum: return if_positive(written_sum(u, -arguments[1]), arguments[1], u);
         case piecewise_kind::heaviside: return expression(rational(1, 2)) * (1 + sign_of_u());
         case piecewise_kind::floor: return floor_by(0);
         case piecewise_kind::square: return 1 - 2 * (floor_by(1) - 2 * floor_by(2));
@@ -78,7 +80,7 @@ expression step_collector::chosen(const comparison& condition, const expression&
     };
     // [-u > 0] = 1 - [u >= 0].
     const expression holds = found.orientation > 0 ? indicator(condition.or_equal) : 1 - indicator(!condition.or_equal);
-    return holds * a + (1 - holds) * b;
+    return choice_between(holds, a, b);
 }
 
 // One parameter for arguments that are equal up to a constant factor.

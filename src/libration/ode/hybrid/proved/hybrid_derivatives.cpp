@@ -66,6 +66,18 @@ void require_same_side(const varied_system& of, const std::vector<std::string>& 
     }
 }
 
+// The solution itself is defined where its equations are as written, which those of its derivatives are derived from.
+void keep_reached(partial_trajectory& all, const hybrid_system& given, const std::vector<number>& times) {
+    constexpr long few_digits = 2;
+    const auto reached = proved_part_of_hybrid(given, times, few_digits);
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        if (reached.states[i].empty()) {
+            all.states[i].clear();
+            all.missing = reached.missing;
+        }
+    }
+}
+
 }  // namespace
 
 partial_derivatives proved_derivatives_of_hybrid(const equation_system& given, const std::vector<number>& times,
@@ -74,6 +86,7 @@ partial_derivatives proved_derivatives_of_hybrid(const equation_system& given, c
     const varied_system varied = system_with_variations(given, numbers);
     require_same_side(varied, numbers);
     auto all = proved_part_of_hybrid(varied.system, times, digits, watch, route);
+    keep_reached(all, hybrid_system(given), times);
     known_value zero;
     improve(zero, ball(0), digits);
     partial_derivatives result;

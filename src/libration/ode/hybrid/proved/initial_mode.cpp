@@ -140,7 +140,7 @@ private:
 
     // (3) and (4).
     std::optional<number> value_by_derivatives(std::size_t i, const zero_function& zero) {
-        if (!find_lists()) {
+        if (!find_lists(i, zero.u)) {
             return std::nullopt;
         }
         expression now = zero.u;
@@ -160,8 +160,11 @@ private:
             const bool at_rest = std::ranges::all_of(
                 *derivatives, [&](const derivative_on& each) { return vanishes_with(each.value, zero.u); });
             if (at_rest) {
+                if (zero.level || is_in_another_argument(i)) {
+                    return std::nullopt;
+                }
                 note_jump(i, zero.u);
-                return zero.level ? std::nullopt : std::optional(sign_number(0));
+                return sign_number(0);
             }
             note_failure(i, order, *derivatives);
             now = derivatives->front().value;
@@ -222,9 +225,23 @@ private:
         }
     }
 
-    // All lists that are possible, with the slopes of their branches.
-    bool find_lists() {
+    // The lists that are possible while the argument remains 0 have to be those at the beginning.
+    bool is_in_another_argument(std::size_t i) const {
+        return std::ranges::any_of(system_.steps(), [&](const step_function& each) {
+            bool found = false;
+            each_leaf(each.argument, [&](const expression& leaf) {
+                found = found || (leaf.kind() == node_kind::parameter && system_.step_of(leaf.name()) == i);
+            });
+            return found;
+        });
+    }
+
+    // All lists that are possible, with the slopes of their branches, as far as they influence the function, the argument
+    // of the step i; other steps have one of their values.
+    bool find_lists(std::size_t i, const expression& of) {
         lists_.clear();
+        influences_ = system_.influences_on(of);
+        influences_[i] = true;
         step_values values(found_.size());
         if (!add_lists(0, values)) {
             lists_.clear();
@@ -253,6 +270,9 @@ private:
         }
         if (candidates.empty() || !at_.is_finite_near(system_.argument(j, values))) {
             return false;
+        }
+        if (!influences_[j]) {
+            candidates.resize(1);
         }
         return std::ranges::all_of(candidates, [&](const number& each) {
             values[j] = each;
@@ -305,6 +325,7 @@ private:
     const std::vector<std::size_t>& crossed_;
     std::vector<std::optional<number>> found_;
     std::vector<possible_list> lists_;
+    std::vector<bool> influences_;  // of each step on the argument that is decided
     std::map<std::vector<rational>, std::optional<std::vector<expression>>> slopes_;
     std::vector<std::size_t> by_relation_;
     std::map<std::size_t, mode_failure> failures_;
