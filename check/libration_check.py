@@ -24,8 +24,8 @@ MOST_ARGUMENT = 1000  # of exp, sin and cos in enclosures of initial values
 MOST_OPERATIONS = 20  # of a start; and powers and functions of all starts together
 MOST_PRODUCTS = 10**6  # products of two terms, in the polynomials of a certificate
 MOST_FACTORS = 400  # of a term
-MOST_UNKNOWNS, MOST_DEFINITIONS = 400, 200  # the unknowns with derivatives and added ones
-MOST_CLAIMS, MOST_ZEROS = 10_000, 10_000
+MOST_UNKNOWNS, MOST_DEFINITIONS = 200, 100  # the unknowns with derivatives and added ones
+MOST_CLAIMS, MOST_ZEROS, MOST_ENDS = 10_000, 10_000, 2_000_000  # characters and exponents
 MOST_BITS, MOST_EXPONENT = 10_000, 20_000  # of bounds and enclosures; of polynomials and radii
 MOST_SHIFT, MOST_COMMON = 2**18, 2**20  # bits of scales of a term, of the common denominator
 MOST_STEP = 2**34  # bits of the products of polynomials on a step
@@ -120,7 +120,6 @@ def dot(u, v):  # the sum of u[i] v[i], by its value at a z of more than twice i
 #     product = signed { (*|/) signed }
 #     signed  = - signed  |  atom [ ^ signed ]
 #     atom    = integer  |  name  |  name ( sum )  |  ( sum )
-#
 # A tree is a fraction, a name, ("+", [("+" or "-", tree), ..]), ("*", [("*" or "/", tree), ..]),
 # ("^", tree, fraction), or (name of a function, tree).
 TOKEN = re.compile(r"([0-9]+|[A-Za-z_][A-Za-z0-9_]*'*|[-+*/^()])")
@@ -403,6 +402,12 @@ class Reader:  # lists of coefficients have hexadecimal digits
 # not pi, and have no primes, which are derivatives; definitions are _1, _2, .., names of nothing
 # else. Equations and the condition contain the variable and the unknowns, definitions also those
 # before them, starts only pi.
+def sized(lines):  # lines whose fractions, with their exponents, are not too long together
+    exponents = [int(e) for line in lines for e in re.findall("e[-+]?([0-9]{1,5})", line)]
+    form(sum(exponents) + sum(map(len, lines)) <= MOST_ENDS, "the fractions are too long")
+    return lines
+
+
 class Claim:  # LOW <= NAME(TIME) <= HIGH, for all times from `first` to `last`
     def __init__(self, text, problem):
         self.fields = text.split(" ")
@@ -461,7 +466,7 @@ class Problem:
             self.state = self.state + ["d(%s)" % name for name in self.state]
 
     def read_zeros_and_claims(self, reader):
-        self.zeros = [line.split(" ") for line in reader.all("zero", MOST_ZEROS)]
+        self.zeros = [line.split(" ") for line in sized(reader.all("zero", MOST_ZEROS))]
         form(all(len(zero) == 2 for zero in self.zeros), "an unclear zero")
         form((self.condition is None) == (self.zeros == []), "a condition or zeros alone")
         self.ends = [self.t0] + [fraction(time) for zero in self.zeros for time in zero]
@@ -469,7 +474,7 @@ class Problem:
         self.zero_names = {"#%d" % (k // 2 + 1): pairs[k] for k in range(1, len(pairs), 2)}
         ordered = all((b - a) * (self.ends[-1] - self.t0) >= 0 for a, b in pairs)
         need(ordered, "the zeros are not in the order of the steps")
-        self.claims = [Claim(line, self) for line in reader.all("claim", MOST_CLAIMS)]
+        self.claims = [Claim(line, self) for line in sized(reader.all("claim", MOST_CLAIMS))]
         form(self.claims, "there is no claim")
         for side in "first", "last":
             distances = [abs(getattr(x, side) - self.t0) for x in self.claims]
@@ -579,7 +584,6 @@ def make_polynomial_form(problem):  # sets enclosures of the unknowns, their der
 # where in the tube A_bc >= ||B_bc|| for b != c, A_bb is at least the largest eigenvalue of the
 # symmetric part of B_bb, B = V^-1 (g_Y V - V'), and D_b >= |V^-1 (p' - g(x, p))|_b, then every
 # solution that begins in the set exists on the whole step and is in the tube.
-#
 # Bounds are integers in units of 2^-bits, rounded up. A set is (centre, frame, blocks, radii).
 PARTS = 8  # of a step, on each of which the rate of a block is bounded
 
@@ -690,8 +694,7 @@ class Step:  # of the scaled unknowns, with one exponent for each matrix
         self.unit = self.common << (self.most * self.k)
 
     def field(self):  # p' - g along p in parts of `unit`; J = g_Y, times 2^-k; bounds of its change
-        n, k = self.n, self.k
-        radii = list(map(max, self.R0, self.R1))
+        n, k, radii = self.n, self.k, list(map(max, self.R0, self.R1))
         self.size_of_V = self.bounds(self.V, two(self.kv))
         rho = [0]  # in the tube |Y_i - p_i| <= rho_i
         for row in self.size_of_V:
@@ -773,7 +776,6 @@ class Step:  # of the scaled unknowns, with one exponent for each matrix
 # A value in the tube at x is within sum_b |V_ib(x)| r_b(x) of p_i(x). On an interval [u, v] of x,
 # values, |V_ib| and r_b differ from those in the middle by at most (v - u)/2 times a bound of their
 # derivatives.
-#
 # A function has on [u, v] the sign of its value in the middle if that is more than (v - u)/2 times
 # a bound of the slope, plus the change in the tube; it has that of both ends if these are equal and
 # its derivative has a sign. A condition with different signs before and behind an interval, where
@@ -835,8 +837,7 @@ def sign_on(step, u, v):
     # The sign of the condition on [u, v], by halves; 0 if it is not proved. Where it is 0 at the
     # initial time, the sign of its derivative is that behind it.
     starts = step.problem.zero_start and step.begin == step.problem.t0
-    _, slope, reach = step.functions[0]
-    parts, sign = [(u, v)], 0
+    (_, slope, reach), parts, sign = step.functions[0], [(u, v)], 0
     for _ in range(MOST_PARTS):
         u, v = parts.pop()
         way = sure(step, 1, u, v)
@@ -990,9 +991,8 @@ def main():
         with open(sys.argv[1], "rb") as file:
             print("Proved:\n" + check(text_of(file.read())))
     except (Refused, OSError) as reason:
-        unread = isinstance(reason, OSError)
-        print("Not proved: %s" % ("the file cannot be read" if unread else reason))
-        return 2 if unread else reason.status
+        print("Not proved:", reason if isinstance(reason, Refused) else "the file cannot be read")
+        return getattr(reason, "status", 2)
     return 0
 
 

@@ -35,10 +35,11 @@ enum {
     MOST_OPERATIONS = 20,      // of a start; and powers and functions of all starts together
     MOST_PRODUCTS = 1000000,   // products of two terms, in the polynomials of a certificate
     MOST_FACTORS = 400,        // of a term
-    MOST_UNKNOWNS = 400,       // with derivatives and added unknowns
-    MOST_DEFINITIONS = 200,    //
+    MOST_UNKNOWNS = 200,       // with derivatives and added unknowns
+    MOST_DEFINITIONS = 100,    //
     MOST_CLAIMS = 10000,       //
     MOST_ZEROS = 10000,        //
+    MOST_ENDS = 2000000,       // characters and exponents of all claims, or of all zeros
     MOST_BITS = 10000,         // of bounds and of enclosures
     MOST_INTEGER = 99999,      // of lines with integers
     MOST_EXPONENT = 20000,     // of polynomials, radii and lengths

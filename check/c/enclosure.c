@@ -79,13 +79,24 @@ static Interval logarithm(Interval x) {
     return (Interval){log_at(x.low).low, log_at(x.high).high};
 }
 
+/* exp, sin or cos, without the numbers that are needed for it. */
+static Interval entire_alone(Q x, char kind) {
+    int before = region;
+    region = SIGN;
+    Interval found = entire(x, kind);
+    region = before;
+    found = (Interval){plus(found.low, q(0)), plus(found.high, q(0))};
+    release(SIGN);
+    return found;
+}
+
 static Interval function_of_interval(const char* name, Interval x) {
     form(is_function(name), "unknown function '%s'", clipped(name));
     if (*name == 'l')
         return logarithm(x);
-    Interval y = entire(x.low, *name);
+    Interval y = entire_alone(x.low, *name);
     if (*name == 'e')  // exp increases
-        return (Interval){y.low, entire(x.high, *name).high};
+        return (Interval){y.low, entire_alone(x.high, *name).high};
     Q width = minus(x.high, x.low);  // |sin'|, |cos'| <= 1
     return (Interval){minus(y.low, width), plus(y.high, width)};
 }
@@ -106,7 +117,7 @@ static Interval power_of_interval(Interval x, Q r) {
     if (mpz_cmp_ui(mpq_denref(r), 1) == 0 && mpq_sgn(r) >= 0)
         return whole_power(x, r);
     Interval y = linear(r, logarithm(x), q(0), exactly(q(0)));  // x^r = exp(r log x)
-    return (Interval){entire(y.low, 'e').low, entire(y.high, 'e').high};
+    return (Interval){entire_alone(y.low, 'e').low, entire_alone(y.high, 'e').high};
 }
 
 static Interval inverse(Interval x) {

@@ -91,8 +91,28 @@ static void read_definitions(Reader* r, Problem* p) {
     form(good, "the bits are out of range");
 }
 
+/* The fractions of these lines, with their exponents, are not too long together. */
+static void check_ends(char* const* text, long count) {
+    long size = 0;
+    for (long i = 0; i < count; ++i) {
+        size += (long)strlen(text[i]);
+        for (const char* s = text[i]; (s = strchr(s, 'e')) != NULL;) {
+            ++s;
+            const char* digits = s + (*s == '-' || *s == '+');
+            size_t n = strspn(digits, "0123456789");
+            if (n > 0) {
+                n = n < 5 ? n : 5;
+                size += atol(copied(digits, n));
+                s = digits + n;
+            }
+        }
+    }
+    form(size <= MOST_ENDS, "the fractions are too long");
+}
+
 static void read_zeros(Reader* r, Problem* p) {
     char** text = all(r, "zero", MOST_ZEROS, &p->zeros);
+    check_ends(text, p->zeros);
     int good = 1;
     p->zero = take((size_t)p->zeros * sizeof *p->zero + 1);
     for (long k = 0; k < p->zeros; ++k)
@@ -152,6 +172,7 @@ static int same_or_later(const Problem* p, Q a, Q b) {
 
 static void read_claims(Reader* r, Problem* p) {
     char** text = all(r, "claim", MOST_CLAIMS, &p->claims);
+    check_ends(text, p->claims);
     p->claim = take((size_t)p->claims * sizeof *p->claim + 1);
     for (long i = 0; i < p->claims; ++i)
         p->claim[i] = claim_of(p, text[i]);

@@ -1122,7 +1122,7 @@ FAULTS = [
     *in_file(
         "src/libration/ode/rigorous/certificate/certificate_text.cpp", [LIMITS],
         ("names of definitions for unknowns", "if (!spelt || defined ||", "if (!spelt ||"),
-        ("depths without signs and exponents", "deepest = std::max(deepest, depth);", "deepest = std::max(deepest, open.size());"),
+        ("names of functions for unknowns", "std::ranges::find(reserved, name) != reserved.end()) {", "false) {"),
     ),
     *in_file(
         "src/libration/ode/rigorous/certificate/certificate_problem.cpp", [LIMITS],

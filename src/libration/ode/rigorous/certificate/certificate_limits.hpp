@@ -6,8 +6,8 @@
 
 namespace libration::ode {
 
-inline constexpr std::size_t most_certified_unknowns = 400;  // with derivatives and added ones
-inline constexpr std::size_t most_certified_definitions = 200;
+inline constexpr std::size_t most_certified_unknowns = 200;  // with derivatives and added ones
+inline constexpr std::size_t most_certified_definitions = 100;
 inline constexpr std::size_t most_certified_claims = 10'000;
 inline constexpr std::size_t most_certified_zeros = 10'000;
 inline constexpr std::size_t longest_certified_formula = 100'000;
