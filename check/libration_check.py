@@ -28,8 +28,7 @@ MOST_UNKNOWNS, MOST_DEFINITIONS = 200, 100  # the unknowns with derivatives and 
 MOST_CLAIMS, MOST_ZEROS, MOST_ENDS = 10_000, 10_000, 2_000_000  # characters and exponents
 MOST_BITS, MOST_EXPONENT = 10_000, 20_000  # of bounds and enclosures; of polynomials and radii
 MOST_SHIFT, MOST_COMMON = 2**18, 2**20  # bits of scales of a term, of the common denominator
-MOST_STEP = 2**34  # bits of the products of polynomials on a step
-MOST_PARTS = 2000  # of a step, for the sign of a condition
+MOST_STEP, MOST_PARTS = 2**34, 2000  # bits of its products of polynomials; its parts, for a sign
 
 
 class Refused(Exception):
@@ -907,7 +906,8 @@ def unknowns_of(problems, middle, ends):  # the starts that differ; name, m and 
     match = [x.vary for x in problems] == [None] + [point.state[k] for k in moved]
     match = match and all(x.starts == near.starts for x in others)
     need(match, "starts that do not match")
-    form(all(near.starts[k].startswith("[") for k in moved), "no interval of starts")
+    own = all(x.startswith("[") == (k in moved) for k, x in enumerate(near.starts))
+    form(own, "no interval of starts")
     found = [("%s(%s)" % (point.state[k], point.t0_text), point.starts[k],
               near.starts[k][1:-1].split(", ")) for k in moved]
     if ":" in ends:

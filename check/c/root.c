@@ -99,6 +99,11 @@ static void check_problems(Root* r) {
 
 static void read_unknowns(Root* r) {
     const Problem *point = r->problem[0], *near = r->problem[1];
+    for (long i = 0, k = 0; i < point->own; ++i) {
+        const int moved = k < r->moved && r->place[k] == i;
+        form(moved == (*near->start[i] == '['), "no interval of starts");
+        k += moved;
+    }
     r->unknown = take((size_t)(r->moved + 1) * sizeof *r->unknown);
     for (long k = 0; k < r->moved; ++k) {
         Unknown* u = &r->unknown[k];
