@@ -58,7 +58,7 @@ std::map<std::string, rooms> order_of_rooms() {
         approximant = algebra + rooms{"approximant"}, estimate = algebra + rooms{"convergence/estimate"},
         list = estimate + rooms{"convergence/list"}, test = list + rooms{"convergence/test"},
         convergence = test + rooms{"convergence"},
-        ode = convergence + approximant + functions + rooms{"convergence/known", "ode"},
+        ode = convergence + approximant + functions + rooms{"convergence/known", "ode", "ode/domain"},
         elliptic = digits + rooms{"elliptic"},
         // The pendulum: motion -> energy -> time -> solution -> singularity -> taylor, and the modules above them.
         motion = ode + elliptic + rooms{"pendulum/motion"}, energy = motion + rooms{"pendulum/energy"},
@@ -119,7 +119,8 @@ std::map<std::string, rooms> order_of_rooms() {
         {"convergence/test", list},
         {"convergence", test},
         {"convergence/known", convergence + approximant + rooms{"ode"}},
-        {"ode", convergence + approximant + functions},
+        {"ode", convergence + approximant + functions + rooms{"ode/domain"}},
+        {"ode/domain", convergence + approximant + functions + rooms{"ode"}},
         {"ode/text", ode + rooms{"ode/hybrid"}},
         {"ode/implicit", ode},
         {"ode/batch", ode},

@@ -1,4 +1,5 @@
 // Factors that are multiplied by 0 end solutions where they are not defined: in expressions, proofs and double.
+#include "libration/ode/domain/choice.hpp"
 #include "libration/ode/domain/defined_zero.hpp"
 
 #include <catch2/catch.hpp>
@@ -168,12 +169,21 @@ TEST_CASE("rounded solutions end there, too", "[ode]") {
 }
 
 TEST_CASE("branches that conditions do not choose need no value", "[ode]") {
-    // Parameters with blanks are step functions of one branch.
-    equation_system branch;
-    branch.add(derivative(unknown("x")), parameter("step 1") * log(1 - variable()) + 1);
-    branch.begin(unknown("x"), 0, 0);
-    branch.set("step 1", 0);
-    CHECK(same_form(explicit_system(branch).right().front(), ode::expression(1)));
+    const ode::expression holds = parameter(name_of_positive("step 1"));
+    const auto right_with = [&](const ode::expression& right, int value) {
+        equation_system branch;
+        branch.add(derivative(unknown("x")), right).begin(unknown("x"), 0, 0);
+        branch.set(holds.name(), value);
+        return explicit_system(branch).right().front();
+    };
+    const ode::expression log_of_rest = log(1 - variable());
+    CHECK(same_form(right_with(choice_between(holds, log_of_rest, 1), 0), ode::expression(1)));
+    CHECK(same_form(right_with(choice_between(holds, log_of_rest, 1), 1), log_of_rest));
+    CHECK(same_form(right_with(choice_between(1 - holds, 2, log_of_rest), 0), ode::expression(2)));
+    CHECK(same_form(right_with(choice_between(holds, choice_between(1 - holds, 3, log_of_rest), log_of_rest), 1),
+                    log_of_rest));
+    // A factor of what is chosen is not chosen.
+    CHECK_FALSE(right_with(choice_between(holds, 1, 0) * log_of_rest + 1, 0).kind() == node_kind::constant);
     equation_system written;
     written.add(derivative(unknown("x")), parameter("k") * log(1 - variable()) + 1);
     written.begin(unknown("x"), 0, 0);

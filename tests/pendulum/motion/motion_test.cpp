@@ -175,7 +175,8 @@ TEST_CASE("motions by formulas are decided at the precision that it takes", "[mo
     CHECK(at_rest.omega0_sign() == 0);
     CHECK(at_rest.start_quarter() == 1);
     CHECK_THROWS_AS(motion::of_energy(read_exact("-exp(-1000)")), libration::error);
-    for (const std::string energy : {"sqrt(2)^2", "sin(1)^2+cos(1)^2-1"}) {
+    CHECK(motion::of_energy(read_exact("sqrt(2)^2")).regime() == regime::separatrix);
+    for (const std::string energy : {"exp(log(2)/2)^2", "sin(1)^2+cos(1)^2-1"}) {
         INFO(energy);
         try {
             motion::of_energy(read_exact(energy));

@@ -6,7 +6,7 @@
 
 #include "libration/ode/constant_value.hpp"
 #include "libration/ode/first_order_form.hpp"
-#include "libration/ode/identities.hpp"
+#include "libration/ode/domain/identities.hpp"
 #include "libration/scalar/ball/magnitude.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"

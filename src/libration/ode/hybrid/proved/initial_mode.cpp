@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "branch_beginning.hpp"
-#include "libration/ode/identities.hpp"
+#include "libration/ode/domain/identities.hpp"
 #include "libration/scalar/error.hpp"
 
 namespace libration::ode {

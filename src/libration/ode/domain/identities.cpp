@@ -1,4 +1,4 @@
-#include "libration/ode/identities.hpp"
+#include "libration/ode/domain/identities.hpp"
 
 #include <algorithm>
 #include <cstddef>

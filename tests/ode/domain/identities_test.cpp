@@ -1,9 +1,9 @@
 // Identities between expressions, of which the truth is known by hand.
-#include "libration/ode/identities.hpp"
+#include "libration/ode/domain/identities.hpp"
 
 #include <catch2/catch.hpp>
 
-namespace ode_identities_test {
+namespace ode_domain_identities_test {
 
 using namespace libration;
 using namespace libration::ode;
@@ -42,4 +42,4 @@ TEST_CASE("an expression vanishes with another one if it is 0 where that is", "[
     CHECK_FALSE(vanishes_with(v / x, x));  // not defined there
 }
 
-}  // namespace ode_identities_test
+}  // namespace ode_domain_identities_test
