@@ -149,6 +149,7 @@ plane_solution solution(const sign_field& field, bool as_written, plane_vector a
         at = moved(at, velocity, until);
         left -= until;
         if (left == 0) {
+            result.on_a_surface = result.on_a_surface || at.u == 0 || at.v == 0;  // from here on
             result.how_many = number::one;
             result.end = at;
             return result;

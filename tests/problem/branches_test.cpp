@@ -92,6 +92,12 @@ TEST_CASE("a solution that remains on a surface has the value of the relation th
         {"x' = 1; z' = 1; y' = if(x > z, 1, 3); x(0) = 0; z(0) = 0; y(0) = 0", "1", "y", 3},
         {"x' = v; v' = -x; y' = if(x^2 + v^2 <= 1, 1, 0); x(0) = 1; v(0) = 0; y(0) = 0", "2", "y", 2},
     });
+    // The order of the unknowns is that of the equations as typed, whatever a branch contains.
+    check_values({
+        {"x' = if(x > 0, z, 0)*x + abs(x); y' = z; z' = y; x(0) = 0; y(0) = 2; z(0) = 3", "1", "y",
+         mpfr(2 * cosh(mpfr(1)) + 3 * sinh(mpfr(1)))},
+        {"x' = if(x >= 0, 0*z + x*y, x*z); y' = 1; z' = 5; x(0) = 0; y(0) = 0; z(0) = 0", "1", "z", 5},
+    });
     // Stated where the right-hand side is not continuous across the surface, and only there.
     const auto notes = [](const std::string& text) {
         return solve(problem(text))->states("1", proved_digits(10)).notes;
@@ -100,6 +106,8 @@ TEST_CASE("a solution that remains on a surface has the value of the relation th
     REQUIRE(jumping.size() == 1);
     CHECK_THAT(jumping.front().text, Catch::Contains("`if(x > z, 1, 3)`"));
     CHECK(notes("x' = abs(x - 2); x(0) = 2").empty());
+    // The jump is in the equation of another unknown, and depends on another open step.
+    CHECK(notes("x' = -x; z' = 1; y' = sign(x)*(sign(z) + 1); x(0) = 0; y(0) = 0; z(0) = 0").size() == 1);
 }
 
 TEST_CASE("solutions that are not unique have no value", "[problem][hybrid]") {
@@ -141,7 +149,20 @@ TEST_CASE("a function that vanishes on a branch keeps its domain", "[problem][hy
         CHECK_THAT(refusal(text, "2"), Catch::Contains("is not reached"));
         CHECK(refusal(text, "1/2").empty());
     }
+    // Parts that cancel, in arguments and in conditions of events.
+    for (const std::string text :
+         {"x' = if(t + log(1 - t) > 1/4 + log(1 - t), 1, 0); x(0) = 1",
+          "z' = -1; z(0) = 1; x' = if(x + sqrt(z) - sqrt(z) > 0, 1, 0); x(0) = 1",
+          "x' = if(x + 1/z > 1/z, 1, 0); z' = -1; z(0) = 1; x(0) = 1",
+          "x' = 1; x(0) = 0; when t + log(1 - t) - log(1 - t) = 3/4: x = 5",
+          "z' = -1; z(0) = 1; x' = if(x > 0, 1, 2) + if(x + log(z) - log(z) > 0, 1, 0); x(0) = 1"}) {
+        INFO(text);
+        CHECK_THAT(refusal(text, "2"), Catch::Contains("is not reached"));
+        CHECK(refusal(text, "1/2").empty());
+    }
     CHECK(refusal("y' = if(t > 3, log(1 - t), 0); y(0) = 0", "2").empty());
+    // Both ways round, by one step function.
+    CHECK(refusal("y' = if(t > 3, 1, 0) + if(-t >= -3, 2, log(1 - t)); y(0) = 0", "2").empty());
     // What is not chosen need not be defined.
     CHECK(refusal("y' = if(a > 0, log(1 - t), 1); y(0) = 0; a = 0", "2").empty());
 }
@@ -153,6 +174,18 @@ TEST_CASE("functions of time that are 0 at a common exact time are crossed toget
         {"y' = if(sin(2*pi*t) > 0, 1, 0)*if(cos(pi*t) > 0, 1, 0); y(0) = 0", "5/2", "y", 1},
         {"y' = if(sin(t) > 0, 1, 0)*if(sin(2*t) > 0, 1, 0); y(0) = 0", "2*pi", "y", mpfr(libration::pi<mpfr>() / 2)},
     });
+}
+
+TEST_CASE("a known time is found once", "[problem][hybrid]") {
+    const answer found = solve(problem("x' = sign(x); x(0) = 1"))->events("t = 1", 2, proved_digits(10));
+    CHECK(found.rows.size() == 1);
+    CHECK(refusal("x' = 1; x(0) = 0; when t = 1 down: x = 5", "2").empty());
+}
+
+TEST_CASE("piecewise functions in events, and of highest derivatives, are rejected", "[problem][hybrid]") {
+    CHECK_THAT(refusal("x' = if(x' > 0, 1, 2); x(0) = 0", "2"), Catch::Contains("is not part of the state"));
+    CHECK_THAT(refusal("x' = -1; r = abs(x); x(0) = 2; y' = r; y(0) = 0; when r = 1: y = 10", "3"),
+               Catch::Contains("piecewise"));
 }
 
 TEST_CASE("times next to that of an event are compared exactly", "[problem][hybrid]") {

@@ -255,6 +255,12 @@ void parameter_values::open(const std::string& name) {
         if (const number_set* const set = system_.set_of(name)) {
             refuse_set(*set);
         }
+        for (const step_function& each : system_.steps) {
+            if (name.starts_with(each.parameter)) {
+                refuse(each.text, each.at,
+                       "is piecewise, which is supported only in equations: write one of its branches");
+            }
+        }
         const auto at = std::ranges::find(system_.open, name, &open_parameter::name);
         refuse(name, at != system_.open.end() ? at->at : place(),
                "has no value: write " + name + " = number for a parameter, " + name + "' = ... for an unknown");

@@ -28,6 +28,9 @@ std::vector<expression> parts_lost(const std::vector<expression>& from, const re
 /// if the expression has only parts that are analytic for all real arguments.
 expression zero_where_defined(const expression& e);
 
+/// Whether an expression has only parts that are analytic for all real arguments.
+inline bool is_defined_everywhere(const expression& e) { return zero_where_defined(e).is(0); }
+
 /// The expression with 0 for such products.
 expression without_zeros(const expression& e);
 

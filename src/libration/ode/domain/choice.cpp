@@ -49,14 +49,14 @@ private:
         });
     }
 
-    // Of [u > 0] or [u >= 0], or of 1 minus one.
+    // Of [u > 0] or [u >= 0], or of 1 minus such a value.
     std::optional<bool> value_of_indicator(const expression& e) const {
         if (is_indicator_leaf(e)) {
             const auto value = value_(e.name());
             return value && value->kind() == node_kind::constant ? std::optional(!value->is(0)) : std::nullopt;
         }
         const bool opposite = e.kind() == node_kind::sum && e.right().is(1) && e.left().kind() == node_kind::product &&
-                              e.left().left().is(-1) && is_indicator_leaf(e.left().right());
+                              e.left().left().is(-1);
         const auto holds = opposite ? value_of_indicator(e.left().right()) : std::nullopt;
         return holds ? std::optional(!*holds) : std::nullopt;
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <stdexcept>
 #include <utility>
 
 #include "libration/ode/domain/choice.hpp"
@@ -52,11 +53,22 @@ void require_state(const expression& e, const std::vector<expression>& leaves, c
     });
 }
 
+// Throws error for step functions in an event, which names for expressions may contain.
+void require_smooth(const expression& e, const state_event& in) {
+    if (e.has_parameters()) {
+        refuse(in.text, in.at,
+               "contains a piecewise function, which is supported only in equations: write one of its branches");
+    }
+}
+
 // A linear expression with fractions as coefficients: those of its leaves, and its constant term.
 struct fraction_form {
     std::map<std::string, rational> coefficients;
 
     static std::optional<fraction_form> of(const expression& e) {
+        if (!is_defined_everywhere(e)) {
+            return std::nullopt;
+        }
         fraction_form result;
         bool linear = true;
         each_leaf(e, [&](const expression& leaf) {
@@ -108,7 +120,7 @@ struct fraction_form {
 }  // namespace
 
 std::optional<linear_in_variable> linear_in_variable::of(const expression& e) {
-    if (!e.has_variable() || e.has_unknowns() || e.has_parameters()) {
+    if (!e.has_variable() || e.has_unknowns() || e.has_parameters() || !is_defined_everywhere(e)) {
         return std::nullopt;
     }
     const expression slope = partial(e, ode::variable());
@@ -227,7 +239,14 @@ void hybrid_system::read_starts(parameter_values& parameters) {
 }
 
 void hybrid_system::require_state_in_events() const {
+    for (const step_function& each : given_.steps) {
+        require_state(each.argument, leaves_, each.at);
+    }
     for (const state_event& each : given_.events) {
+        require_smooth(each.condition, each);
+        for (const reset& value : each.resets) {
+            require_smooth(value.value, each);
+        }
         if (each.condition.is_constant()) {
             refuse(each.text, each.at,
                    "has a condition that does not depend on the solution or on " + given_.variable +
@@ -282,6 +301,9 @@ std::vector<std::string> names_of_state(const hybrid_system& system) {
 explicit_system hybrid_system::branch(const step_values& values, const number& point,
                                       const std::vector<number>& state) const {
     explicit_system smooth(equations(values, point, state));
+    if (libration::ode::names_of_state(smooth) != names_of_state(*this)) {
+        throw std::logic_error("a branch with its state in another order");
+    }
     if (!smooth.algebraic().empty()) {
         refuse("algebraic equations", {},
                "are not supported beside events and piecewise functions: write the differential equations to which "
@@ -311,7 +333,12 @@ equation_system hybrid_system::equations(const step_values& values, const number
 }
 
 // Where the argument of a sign remains 0, it and what the equations are on both sides of its surface have to be defined.
+// Their parts are added behind all other occurrences of the unknowns, whose order is that of the state.
 void hybrid_system::keep_both_sides(std::size_t step, const step_values& values, equation_system& of) const {
+    if (equation_places_.empty()) {
+        refuse(given_.steps[step].text, given_.steps[step].at,
+               "remains 0, which is supported for equations that are solved for the highest derivatives: solve them");
+    }
     std::map<std::string, expression> known;
     for (const definition& each : parameters_of(given_.steps[step], values[step])) {
         known.emplace(each.name, each.value);
@@ -320,12 +347,12 @@ void hybrid_system::keep_both_sides(std::size_t step, const step_values& values,
         const auto found = known.find(name);
         return found != known.end() ? std::optional(found->second) : std::nullopt;
     };
-    for (equation& each : of.equations) {
-        each.left = with_parameters(each.left, value, true);
-        each.right = with_parameters(each.right, value, true);
+    expression parts = zero_where_defined(argument(step, values));
+    for (const equation& each : given_.equations) {
+        parts = parts + zero_where_defined(with_parameters(each.right, value, true));
     }
-    expression& right = of.equations.front().right;
-    right = right + zero_where_defined(argument(step, values));
+    expression& last = of.equations.back().right;
+    last = last + parts;
 }
 
 expression hybrid_system::argument(std::size_t step, const step_values& values) const {

@@ -111,7 +111,7 @@ private:
     bool happens(const crossing_effect& event, crossing way) const;
     bool has_effect(const surface& of, crossing way) const;
     bool find(const std::optional<number>& end, long horizon);
-    std::vector<expression> reset_leaves() const;
+    std::vector<expression> reset_leaves();
     std::vector<std::size_t> crossed_steps() const;
     std::vector<expression> zero_functions() const;
     std::optional<search_start> start_on(const surface& of, const branch_beginning& beginning);
@@ -139,6 +139,7 @@ private:
     std::unique_ptr<proved_march> march_;    // for states on it
     std::optional<path_event> next_;         // at which the branch ends
     std::vector<crossed_surface> crossed_;   // there
+    std::vector<expression> reset_values_;   // of all resets there, also of those that a later one replaces
     std::optional<path_event> observed_event_;
     std::vector<ball> before_last_;  // on the branch before, at all times of the ball in which this one begins
     std::vector<bool> reset_last_;   // whether that event resets a value

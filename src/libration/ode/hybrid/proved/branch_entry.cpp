@@ -32,7 +32,8 @@ ball value_in(const first_order_form& form, const expression& e, const std::vect
 
 // What the leaves are after an event, in terms of their values before: the resets of all statements that it meets, in
 // the order of the statements.
-std::vector<expression> hybrid_path::reset_leaves() const {
+std::vector<expression> hybrid_path::reset_leaves() {
+    reset_values_.clear();
     std::vector<std::size_t> happening;
     for (const crossed_surface& each : crossed_) {
         for (const crossing_effect& event : each.of.events) {
@@ -49,7 +50,8 @@ std::vector<expression> hybrid_path::reset_leaves() const {
         for (const reset& value : system_.events()[index].resets) {
             const auto k =
                 std::ranges::find_if(leaves, [&](const expression& leaf) { return same_form(leaf, value.of); });
-            now[static_cast<std::size_t>(k - leaves.begin())] = with_leaves(value.value, leaves, before);
+            reset_values_.push_back(with_leaves(value.value, leaves, before));
+            now[static_cast<std::size_t>(k - leaves.begin())] = reset_values_.back();
         }
     }
     return now;
@@ -113,7 +115,7 @@ std::optional<search_start> hybrid_path::start_on(const surface& of, const branc
 bool hybrid_path::accumulates() {
     const magnitude gone(next_->time - first_time_);
     shorter_ = magnitude(next_->time - last_time_) < gone.shifted(-bits_of_short_intervals) ? shorter_ + 1 : 0;
-    return shorter_ >= most_short_intervals || count_ >= most_events;
+    return shorter_ >= most_short_intervals;
 }
 
 // Continues on the branch after the event; false for the reason end().
@@ -130,6 +132,9 @@ bool hybrid_path::take() {
     }
     if (!complete(*next_)) {
         return false;
+    }
+    if (count_ >= most_events) {
+        return ended(path_end::accumulation, "no more than " + std::to_string(most_events) + " events are followed");
     }
     if (accumulates()) {
         return ended(path_end::accumulation, "the intervals between events became shorter than 2^-" +
@@ -154,6 +159,12 @@ bool hybrid_path::continue_on_branch() {
         const bool kept = same_form(entered.leaves[k], system_.leaves()[k]);
         entered.state.push_back(kept ? next_->state[k]
                                      : value_in(form, form.in_leaves(entered.leaves[k]), next_->state, next_->time));
+    }
+    const bool defined = std::ranges::all_of(reset_values_, [&](const expression& each) {
+        return is_finite(value_in(form, form.in_leaves(each), next_->state, next_->time));
+    });
+    if (!defined) {
+        return ended(path_end::undecided, "the states after the event are not enclosed");
     }
     const branch_beginning beginning(system_, next_->time, next_->exactly, entered.leaves, zero_functions(),
                                      entered.state);

@@ -52,6 +52,7 @@ std::nullopt_t branch_search::ended(path_end why, const std::string& reason) {
 
 void branch_search::resume(std::size_t surface) {
     watched_[surface].found.reset();
+    watched_[surface].passed = watched_[surface].of.of.time.has_value();
     for (watched& each : watched_) {
         each.over = each.limit.has_value();
     }
@@ -62,7 +63,7 @@ std::optional<std::size_t> branch_search::first_known_time(const std::optional<n
     std::optional<std::size_t> first;
     for (std::size_t i = 0; i < watched_.size(); ++i) {
         const auto& time = watched_[i].of.of.time;
-        if (!time) {
+        if (!time || watched_[i].passed) {
             continue;
         }
         const bool exact_beginning = !watched_[i].of.start || !watched_[i].of.start->begins;
@@ -106,6 +107,12 @@ void branch_search::read_end(watched& each, bool has_end, long horizon) {
             each.over = true;
             each.limit = search.undecided().from;
             each.why = path_end::undecided;
+            if (!search.undecided().value.is_finite() || !search.undecided().slope.is_finite()) {
+                each.reason = "`" + each.of.of.text + "` is not enclosed in [" +
+                              bound_text(search.undecided().from, MPFR_RNDD) + ", " +
+                              bound_text(search.undecided().to, MPFR_RNDU) + "], as where it has no value";
+                break;
+            }
             each.reason = "`" + each.of.of.text + "` is not decided by " + std::to_string(bits_) +
                           " bits: its two sides may be equal in [" + bound_text(search.undecided().from, MPFR_RNDD) +
                           ", " + bound_text(search.undecided().to, MPFR_RNDU) + "], where they differ by at most " +
@@ -214,8 +221,9 @@ std::optional<found_crossing> branch_search::crossing_at(std::size_t first, cons
     std::vector<std::size_t> near{first};
     for (std::size_t i = 0; i < watched_.size(); ++i) {
         const auto& known = watched_[i].of.of.time;
-        const bool overlapping = watched_[i].found ? overlaps(watched_[i].found->time, time)
-                                                   : known && overlaps(enclosed_number(*known), time);
+        const bool overlapping = watched_[i].found
+                                     ? overlaps(watched_[i].found->time, time)
+                                     : known && !watched_[i].passed && overlaps(enclosed_number(*known), time);
         if (i != first && overlapping && !(known && watched_[first].of.of.time)) {
             near.push_back(i);
         }

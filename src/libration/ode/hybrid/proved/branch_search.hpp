@@ -64,6 +64,7 @@ private:
         std::unique_ptr<event_search> search = {};
         std::optional<proved_event> found = {};
         bool over = false;               // no crossing before the end
+        bool passed = false;             // the known time, which is the only zero
         std::optional<ball> limit = {};  // the search ended there
         long steps = 0;
         path_end why = path_end::none;

@@ -211,6 +211,11 @@ private:
 
     // Whether the slopes of the state depend on the value of the sign, although its argument remains 0.
     void note_jump(std::size_t i, const expression& u) {
+        influences_.assign(found_.size(), true);
+        if (!find_all_lists()) {
+            by_relation_.push_back(i);
+            return;
+        }
         const std::vector<expression>& first = lists_.front().slopes;
         const bool jumps = std::ranges::any_of(lists_, [&](const possible_list& each) {
             for (std::size_t k = 0; k < first.size(); ++k) {
@@ -239,9 +244,13 @@ private:
     // All lists that are possible, with the slopes of their branches, as far as they influence the function, the argument
     // of the step i; other steps have one of their values.
     bool find_lists(std::size_t i, const expression& of) {
-        lists_.clear();
         influences_ = system_.influences_on(of);
         influences_[i] = true;
+        return find_all_lists();
+    }
+
+    bool find_all_lists() {
+        lists_.clear();
         step_values values(found_.size());
         if (!add_lists(0, values)) {
             lists_.clear();

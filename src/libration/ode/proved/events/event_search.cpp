@@ -189,7 +189,7 @@ bool event_search::covers_beginning(const step_piece& p) const {
 event_search::verdict event_search::judged_at_start(const step_piece& p) {
     const ball span = span_of(p);
     const bool covered = covers_beginning(p);
-    if (covered && known_sign(of_state(start_.leading, span)) != 0) {
+    if (covered && is_finite(of_state(g_, span)) && known_sign(of_state(start_.leading, span)) != 0) {
         return {finding::no_zero, sign_};
     }
     return !covered || p.is_narrow(march_.bits()) ? undecided_on(p, sampled(span)) : verdict{finding::open, 0};
@@ -209,6 +209,10 @@ event_search::verdict event_search::judged(step_piece& p) {
     sample all = sampled(span);
     if (const int sign = known_sign(all.value); sign != 0) {
         return {finding::no_zero, sign};
+    }
+    if (!is_finite(all.value)) {  // while folding may leave a slope
+        const bool ends = p.is_narrow(march_.bits()) || ++examined_ > most_pieces_of_a_step;
+        return ends ? undecided_on(p, all) : verdict{finding::open, 0};
     }
     if (const int sign = known_sign(all.slope); sign != 0) {
         return {finding::monotone, sign};
@@ -260,7 +264,7 @@ bool event_search::split_at_turn(const step_piece& p) {
     const precision_scope scope(p.digits);
     const ball span = span_of(p);
     const int bent = known_sign(of_state(curvature(), span)) * direction_;
-    if (bent == 0) {
+    if (bent == 0 || !is_finite(of_state(g_, span))) {
         return false;
     }
     const auto place = zero_within(
