@@ -196,7 +196,7 @@ int run_limited(const libration::subcommand& command, const libration::timeout_o
     }
     std::unique_ptr<libration::time_limit> limit;
     const libration::subcommand limited{command.options, [&] {
-                                            limit = timeout.begin(name != "study");
+                                            limit = timeout.begin(name != "study", name != "find");
                                             return command.run();
                                         }};
     return run(limited);

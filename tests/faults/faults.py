@@ -787,7 +787,7 @@ FAULTS = [
         ("rest in the argument of another step", "zero.level || is_in_another_argument(i)", "zero.level"),
         ("steps of other unknowns left out", "influences_ = system_.influences_on(of);",
          "influences_.assign(found_.size(), false);"),
-        ("a jump at rest not stated", "by_relation_.push_back(i);", ""),
+        ("a jump at rest not stated", "if (jumps) {", "if (false) {"),
         ("the first sign taken for all", "return each.sign == first_sign;", "return each.sign.has_value();"),
     ),
     *in_file(
@@ -809,7 +809,8 @@ FAULTS = [
     *in_file(
         "src/libration/ode/hybrid/hybrid_system.cpp", ["problem/branches_test.cpp"],
         ("the other side of a surface not defined", "keep_both_sides(i, values, smooth);", ""),
-        ("an argument at rest not defined", "right = right + zero_where_defined(argument(step, values));", ""),
+        ("an argument at rest not defined", "expression parts = zero_where_defined(argument(step, values));",
+         "expression parts;"),
     ),
     *in_file(
         "src/libration/ode/domain/choice.cpp", ["problem/branches_test.cpp"],

@@ -54,9 +54,9 @@ void timeout_option::add_to(CLI::App& command) {
         ->type_name("SECONDS");
 }
 
-std::unique_ptr<time_limit> timeout_option::begin(bool signals) const {
+std::unique_ptr<time_limit> timeout_option::begin(bool signals, bool prints_parts) const {
     const auto limit = value_ ? std::optional(duration_of(*value_)) : std::nullopt;
-    return std::make_unique<time_limit>(limit, value_.value_or(""), signals);
+    return std::make_unique<time_limit>(limit, value_.value_or(""), signals, prints_parts);
 }
 
 }  // namespace libration

@@ -17,8 +17,9 @@ std::chrono::milliseconds duration_of(const std::string& value);
 class timeout_option {
 public:
     void add_to(CLI::App& command);
-    /// The limit of the command that runs now, at signals, too, if the command leaves them to it.
-    std::unique_ptr<time_limit> begin(bool signals) const;
+    /// The limit of the command that runs now, at signals, too, if the command leaves them to it; and whether it prints
+    /// what is finished.
+    std::unique_ptr<time_limit> begin(bool signals, bool prints_parts) const;
 
 private:
     std::optional<std::string> value_;

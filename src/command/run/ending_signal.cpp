@@ -130,7 +130,9 @@ void at_ending_signal::call_all() noexcept {
 namespace {
 
 constexpr int ended_code = 1;
-// Until check_time() is called, which not every computation does; and for the output of what is finished by then.
+// Until check_time() is called, by a computation that has called it and prints parts, and by another one; and for the
+// output of what is finished by then.
+constexpr std::chrono::milliseconds between_checks{5000};
 constexpr std::chrono::milliseconds until_check{400};
 constexpr std::chrono::seconds for_output{5};
 
@@ -142,7 +144,9 @@ struct limited_command {
     std::string subject, value;  ///< of the error: "--timeout", "3"
     bool finished = false;
     std::atomic<bool> ending = false;
-    std::atomic<bool> ends_itself = false;  ///< check_time() has thrown
+    bool prints_parts = true;
+    std::atomic<bool> checked = false;      ///< check_time() was called
+    std::atomic<bool> ends_itself = false;  ///< it has thrown
 };
 
 limited_command& current() {
@@ -175,7 +179,8 @@ bool end_command(std::string subject, std::string value) {
             command.ending = true;
         }
         const auto finished = [&] { return command.finished; };
-        command.changed.wait_for(lock, until_check, [&] { return command.finished || command.ends_itself; });
+        const auto wait = command.checked && command.prints_parts ? between_checks : until_check;
+        command.changed.wait_for(lock, wait, [&] { return command.finished || command.ends_itself; });
         if (command.finished || (command.ends_itself && command.changed.wait_for(lock, for_output, finished))) {
             return true;
         }
@@ -197,7 +202,8 @@ void end_by_signal() {
 
 }  // namespace
 
-time_limit::time_limit(std::optional<std::chrono::milliseconds> limit, std::string typed, bool signals)
+time_limit::time_limit(std::optional<std::chrono::milliseconds> limit, std::string typed, bool signals,
+                       bool prints_parts)
     : typed_(std::move(typed)), signals_(signals) {
     {
         limited_command& command = current();
@@ -205,6 +211,8 @@ time_limit::time_limit(std::optional<std::chrono::milliseconds> limit, std::stri
         command.finished = false;
         command.ending = false;
         command.ends_itself = false;
+        command.checked = false;
+        command.prints_parts = prints_parts;
     }
     if (signals_) {
         try {
@@ -239,6 +247,7 @@ time_limit::~time_limit() {
 }
 
 void check_time() {
+    current().checked = true;
     if (current().ending) {
         current().ends_itself = true;
         current().changed.notify_all();

@@ -37,12 +37,14 @@ private:
 
 /// During its lifetime a command ends after a time, and if `signals` at INT, TERM and HUP, with exit code 1 and one
 /// line on stderr with how far it got (status_source). A computation that calls check_time() between its steps ends by
-/// an exception, so that the command prints what is finished. If it does not call it within 0.4 s, the actions of
-/// at_ending_signal are called, and the process ends. One object at a time.
+/// an exception, so that the command prints what is finished. If it does not call it within 5 s, the actions of
+/// at_ending_signal are called, and the process ends; within 0.4 s if it has not called it before, or if the command
+/// prints nothing before all is finished. One object at a time.
 class time_limit {
 public:
     /// `typed` is the value of --timeout.
-    time_limit(std::optional<std::chrono::milliseconds> limit, std::string typed, bool signals);
+    time_limit(std::optional<std::chrono::milliseconds> limit, std::string typed, bool signals,
+               bool prints_parts = true);
     time_limit(const time_limit&) = delete;
     time_limit& operator=(const time_limit&) = delete;
     ~time_limit();

@@ -113,7 +113,7 @@ degenerate_set set_around_singularity(choices& next) {
         "1/x",      "sqrt(x)",    "log(x)", "x^(1/3)",     "cbrt(x)",      "sqrt(x)/2",       "1/sqrt(x)",
         "x*log(x)", "sin(x)/x^2", "-1/x",   "1/(x + x^2)", "x^(-1/2) - 1", "a/x; a = [1, 2]", "a*sqrt(x); a = [0, 1]"};
     const rational square(1, next.between(2, 400));
-    const auto implicit = [&](const std::function<mpfr(const mpfr&)>& h) {
+    const auto implicit = [=](const std::function<mpfr(const mpfr&)>& h) {
         return [=](const rational& b, int end) {
             return sign_of([&] { return mpfr(h(real(b)) - h(typed_number(end < 0 ? c : d)()) - typed_number(t)()); });
         };
