@@ -1,6 +1,6 @@
 // Factors that are multiplied by 0 end solutions where they are not defined: in expressions, proofs and double.
-#include "libration/ode/domain/choice.hpp"
 #include "libration/ode/domain/defined_zero.hpp"
+#include "libration/ode/domain/choice.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -4,9 +4,10 @@
 #include <iterator>
 #include <utility>
 
+#include "libration/ode/ball/step_pieces.hpp"
 #include "libration/ode/constant_value.hpp"
-#include "libration/ode/first_order_form.hpp"
 #include "libration/ode/domain/identities.hpp"
+#include "libration/ode/first_order_form.hpp"
 #include "libration/scalar/ball/magnitude.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"
@@ -58,10 +59,10 @@ branch_beginning::branch_beginning(const hybrid_system& system)
     midpoints_ = system.starts();
 }
 
-branch_beginning::branch_beginning(const hybrid_system& system, const ball& time, std::optional<number> exactly,
+branch_beginning::branch_beginning(const hybrid_system& system, ball time, std::optional<number> exactly,
                                    std::vector<expression> reset, std::vector<expression> zero, std::vector<ball> state)
     : system_(system),
-      time_(time),
+      time_(std::move(time)),
       exactly_(std::move(exactly)),
       reset_(std::move(reset)),
       zero_(std::move(zero)),

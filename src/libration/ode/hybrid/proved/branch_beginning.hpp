@@ -26,7 +26,7 @@ public:
     explicit branch_beginning(const hybrid_system& system);
     /// After an event: `reset` are the leaves in terms of their values before it, in which the functions `zero` are 0 at
     /// that time.
-    branch_beginning(const hybrid_system& system, const ball& time, std::optional<number> exactly,
+    branch_beginning(const hybrid_system& system, ball time, std::optional<number> exactly,
                      std::vector<expression> reset, std::vector<expression> zero, std::vector<ball> state);
 
     const hybrid_system& system() const { return system_; }

@@ -1,6 +1,5 @@
 // Events of hybrid paths: the state and the branch after each.
 #include <algorithm>
-#include <ranges>
 #include <utility>
 
 #include "../../proved/needed_bits.hpp"
@@ -173,8 +172,10 @@ bool hybrid_path::continue_on_branch() {
         return ended(mode.failure == mode_failure::sliding ? path_end::sliding : path_end::undecided,
                      mode.reason(system_));
     }
-    const bool rests = std::ranges::any_of(std::views::iota(std::size_t{0}, mode.values->size()),
-                                           [&](std::size_t i) { return system_.is_at_rest(i, *mode.values); });
+    bool rests = false;
+    for (std::size_t i = 0; i < mode.values->size(); ++i) {
+        rests = rests || system_.is_at_rest(i, *mode.values);
+    }
     if (rests && !system_.variations().empty()) {
         return ended(path_end::undecided,
                      "the solution remains on a switching surface, which nearby solutions may leave");

@@ -269,7 +269,7 @@ std::optional<number> branch_search::common_time(const std::vector<std::size_t>&
 }
 
 // Whether the zero that was found is at exactly this time.
-bool branch_search::is_zero_at(const watched& each, const number& time) const try {
+bool branch_search::is_zero_at(const watched& each, const number& time) try {
     if (const auto& known = each.of.of.time) {
         return (*known - time).sign() == 0;
     }

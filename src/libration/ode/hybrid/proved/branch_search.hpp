@@ -77,7 +77,7 @@ private:
     std::optional<found_crossing> first_of(const std::optional<std::size_t>& known);
     std::optional<found_crossing> crossing_at(std::size_t first, const ball& time);
     std::optional<number> common_time(const std::vector<std::size_t>& surfaces) const;
-    bool is_zero_at(const watched& each, const number& time) const;
+    static bool is_zero_at(const watched& each, const number& time);
     void reach(const ball& time);
     std::nullopt_t ended(path_end why, const std::string& reason);
 
