@@ -39,7 +39,8 @@ struct initial_mode {
 /// (3) of the strict sign that the derivative of order k of its argument has at (t*, a) along the branches of all lists
 ///     of values that are possible there, if the derivatives of lower orders are 0 there and, where its argument u is 0,
 ///     the same on all of these branches;
-/// (4) 0, if in (3) a derivative is 0 wherever u is, on all of these branches: u is 0 along the solution.
+/// (4) 0, if in (3) a derivative is 0 wherever u is, on all of these branches, and no other argument contains this step:
+///     u is 0 along the solution.
 /// Theorem H proves that the branch with these values contains the only solution. `before` are the values on the
 /// branch before an event, for arguments of which it is known that they are not 0 at the event: those that neither the
 /// event nor a resulting change of step functions changes. Each value is then verified on the branch that is entered.
