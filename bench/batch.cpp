@@ -23,11 +23,11 @@
 #include <vector>
 
 #include "equation_peers.hpp"
-#include "libration/ode/batch/batch_march.hpp"
-#include "libration/ode/parse.hpp"
-#include "libration/ode/step.hpp"
-#include "libration/scalar/text/decimal.hpp"
-#include "libration/scalar/vector/vector_instructions.hpp"
+#include "libration/equation/text/parse.hpp"
+#include "libration/integration/taylor/batch_march.hpp"
+#include "libration/integration/taylor/taylor_march.hpp"
+#include "libration/scalar/decimal.hpp"
+#include "libration/scalar/vector_instructions.hpp"
 #include "peer_integration.hpp"
 #include "ratio_table.hpp"
 #include "rounds.hpp"

@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "libration/pendulum/taylor/expansion.hpp"
+#include "libration/pendulum/expansion.hpp"
 #include "libration/scalar/ball/decimal.hpp"
 #include "libration/scalar/ball/quotient.hpp"
 #include "ratio_table.hpp"

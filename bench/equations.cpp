@@ -15,12 +15,12 @@
 #include <string>
 
 #include "equation_peers.hpp"
-#include "libration/ode/ball/fast_product.hpp"
-#include "libration/ode/ball/taylor_expansion.hpp"
-#include "libration/ode/parse.hpp"
-#include "libration/ode/step.hpp"
-#include "libration/ode/trajectory.hpp"
+#include "libration/equation/text/parse.hpp"
+#include "libration/expansion/ball_expansion.hpp"
+#include "libration/expansion/fast_product.hpp"
+#include "libration/integration/taylor/taylor_march.hpp"
 #include "libration/pendulum/pendulum.hpp"
+#include "libration/query/trajectory.hpp"
 #include "peer_integration.hpp"
 #include "ratio_table.hpp"
 #include "rounds.hpp"
@@ -187,7 +187,7 @@ solved_problem solve(const bench::initial_value_problem& problem) {
             result.places.push_back(static_cast<std::size_t>(found - problem.unknowns.begin()) * derivatives + j);
         }
     }
-    const ode::number end = as_expression(read_exact(problem.end));
+    const ode::number end = as_exact_real(read_exact(problem.end));
     result.truth = result.flat(ode::trajectory(result.system, {end}, digits_of_truth).front());
     for (const mpfr& each : result.truth) {
         result.largest = std::max(result.largest, mpfr(abs(each)));

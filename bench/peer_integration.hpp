@@ -11,7 +11,7 @@
 
 #include "../peers/slopes.hpp"
 #include "equation_peers.hpp"
-#include "libration/scalar/exact.hpp"
+#include "libration/number/exact.hpp"
 #include "libration/scalar/mpfr.hpp"
 #include "run/child_program.hpp"
 

@@ -4,13 +4,13 @@
 
 #include <string>
 
-#include "libration/ode/ball/fast_product.hpp"
-#include "libration/ode/parse.hpp"
-#include "libration/ode/proved/proved_root.hpp"
-#include "libration/ode/proved/proved_trajectory.hpp"
-#include "libration/ode/trajectory.hpp"
+#include "libration/equation/text/parse.hpp"
+#include "libration/expansion/fast_product.hpp"
 #include "libration/problem/catalogue.hpp"
-#include "libration/problem/known/proved/blasius.hpp"
+#include "libration/problem/known/blasius.hpp"
+#include "libration/query/krawczyk.hpp"
+#include "libration/query/states.hpp"
+#include "libration/query/trajectory.hpp"
 
 namespace {
 

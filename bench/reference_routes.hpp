@@ -13,7 +13,7 @@
 #include <string>
 #include <utility>
 
-#include "libration/pendulum/proved/proved_canonical.hpp"
+#include "libration/pendulum/proved_canonical.hpp"
 #include "libration/scalar/scalar.hpp"
 
 namespace libration::bench {

@@ -17,9 +17,9 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "libration/pendulum/proved/proved_motion.hpp"
-#include "libration/pendulum/sampler/sampler.hpp"
-#include "libration/scalar/vector/vector_instructions.hpp"
+#include "libration/pendulum/proved_motion.hpp"
+#include "libration/pendulum/sampler.hpp"
+#include "libration/scalar/vector_instructions.hpp"
 #include "ratio_table.hpp"
 #include "rounds.hpp"
 #include "run/child_program.hpp"

@@ -1,8 +1,8 @@
 // The powers from which the routes of taylor/pole_reach.hpp cost less than the recurrence, measured here: the constants
-// of pendulum/taylor/tuning.hpp, which affect costs and results only up to rounding.
+// of pendulum/tuning.hpp, which affect costs and results only up to rounding.
 //
 //   ./run bench tuning                                                    the measurements, and the header
-//   ./run bench tuning --out include/libration/pendulum/taylor/tuning.hpp the header into the tree
+//   ./run bench tuning --out include/libration/pendulum/tuning.hpp the header into the tree
 //
 // All about the top of E = 1.71, where every second coefficient vanishes, in one run on one thread; recurrence and
 // other route in turns, medians. A number in the header is the one of a coarse grid (powers of two for the fixed
@@ -24,7 +24,7 @@
 #include <string_view>
 #include <vector>
 
-#include "libration/pendulum/taylor/expansion.hpp"
+#include "libration/pendulum/expansion.hpp"
 #include "libration/scalar/ball/ball.hpp"
 #include "libration/scalar/ball/quotient.hpp"
 #include "ratio_table.hpp"
@@ -184,7 +184,7 @@ struct constants {
 
 std::string header(const constants& found) {
     return fmt::format(
-        "// Made by `./run bench tuning --out include/libration/pendulum/taylor/tuning.hpp`: from where on a route "
+        "// Made by `./run bench tuning --out include/libration/pendulum/tuning.hpp`: from where on a route "
         "costs less\n// than another, on {}, {:%Y-%m-%d}. Only costs and roundings depend on it.\n"
         "#pragma once\n\n"
         "namespace libration::pendulum::tuning {{\n\n"

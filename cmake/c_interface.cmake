@@ -12,7 +12,7 @@ target_compile_definitions(libration-c PRIVATE LIBRATION_VERSION="${PROJECT_VERS
 target_include_directories(libration-c
     PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
     PRIVATE ${PROJECT_SOURCE_DIR}/src)
-target_link_libraries(libration-c PRIVATE libration-proved libration-warnings)
+target_link_libraries(libration-c PRIVATE libration libration-warnings)
 target_link_options(libration-c PRIVATE
     LINKER:--version-script=${PROJECT_SOURCE_DIR}/src/interface/c/symbols.map
     LINKER:--no-undefined

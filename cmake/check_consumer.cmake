@@ -1,4 +1,4 @@
-# cmake -D PREFIX= -D PROJECT= -D BUILD= -D COMPILER= -D GENERATOR= [-D README= | -D PROGRAM= -D SCALARS=]
+# cmake -D PREFIX= -D PROJECT= -D BUILD= -D COMPILER= -D GENERATOR= [-D README= | -D PROGRAM= -D TARGET=]
 #     [-D WITHOUT_FLINT=ON] [-D FLAGS=] -P check_consumer.cmake
 # Configures, builds and runs the project that finds libration in PREFIX, if requested as on a machine without FLINT.
 # With README its program is the file's first ```cpp block, and its output must be exactly the ```text block that
@@ -32,7 +32,7 @@ if(README)
     string(SUBSTRING "${text}" 0 ${end} expected)
 endif()
 
-foreach(name IN ITEMS PROGRAM SCALARS)
+foreach(name IN ITEMS PROGRAM TARGET)
     if(DEFINED ${name})
         list(APPEND arguments -D ${name}=${${name}})
     endif()

@@ -6,9 +6,6 @@ find_package(nlohmann_json REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 find_package(Threads REQUIRED)
 find_package(SQLite3 REQUIRED)
-if(NOT TARGET libration::ball)
-    message(FATAL_ERROR "the command needs FLINT 2.9 or newer with Arb (Debian: libflint-dev libflint-arb-dev)")
-endif()
 
 include(cmake/peers.cmake)
 
@@ -64,7 +61,7 @@ endforeach()
 add_dependencies(libration-sweep libration-version)
 target_include_directories(libration-sweep PUBLIC ${PROJECT_SOURCE_DIR}/src/command ${generated_dir})
 target_link_libraries(libration-sweep
-    PUBLIC libration::libration libration::proved CLI11::CLI11 fmt::fmt nlohmann_json::nlohmann_json Threads::Threads
+    PUBLIC libration::libration CLI11::CLI11 fmt::fmt nlohmann_json::nlohmann_json Threads::Threads
     PRIVATE OpenSSL::Crypto SQLite::SQLite3 libration-warnings)
 target_link_libraries(libration-studies PUBLIC libration-sweep PRIVATE libration-warnings)
 target_link_libraries(libration-claims PUBLIC libration-sweep PRIVATE libration-warnings)
@@ -113,7 +110,7 @@ endif()
 # The library before all others: of code that it and non-critical sources both instantiate, a linker keeps the first
 # copy.
 set(library_first
-    LINKER:--whole-archive $<TARGET_FILE:libration> $<TARGET_FILE:libration-proved> ${arithmetic_archives}
+    LINKER:--whole-archive $<TARGET_FILE:libration> ${arithmetic_archives}
     LINKER:--no-whole-archive)
 target_link_options(libration-command PRIVATE ${library_first})
 add_dependencies(libration-command ${solver_peers})
@@ -178,7 +175,7 @@ install(FILES README.md CHANGELOG.md REFERENCES.md CITATION.cff LICENSE
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documents PATTERN site EXCLUDE)
 
 # Everything that `cmake --install` installs: `./run install` builds this target.
-add_custom_target(libration-installable DEPENDS libration libration-proved libration-c libration-command)
+add_custom_target(libration-installable DEPENDS libration libration-c libration-command)
 if(LIBRATION_BUILD_MANUAL)
     include(cmake/manual.cmake)
 endif()

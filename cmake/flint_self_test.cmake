@@ -8,7 +8,7 @@ if(NOT DEFINED LIBRATION_FLINT_PRODUCTS)
         set(ball_sources ${PROJECT_SOURCE_DIR}/src/libration/scalar/ball)
         try_run(flint_run flint_compiled
             SOURCES ${PROJECT_SOURCE_DIR}/cmake/flint_self_test.cpp
-                ${ball_sources}/product_self_test.cpp ${ball_sources}/integer_product.cpp
+                ${ball_sources}/product_self_test.cpp ${ball_sources}/product_guard.cpp
                 ${ball_sources}/product_check.cpp
             CMAKE_FLAGS -DINCLUDE_DIRECTORIES=${PROJECT_SOURCE_DIR}/include
             LINK_LIBRARIES FLINT::FLINT PkgConfig::mpfr PkgConfig::gmp

@@ -24,11 +24,11 @@ set_target_properties(libration-static PROPERTIES
     RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/static)
 target_include_directories(libration-static PRIVATE ${PROJECT_SOURCE_DIR}/src/command)
 # The files of the project's libraries, because their targets link the shared libraries.
-set(own_archives $<TARGET_FILE:libration-sweep> $<TARGET_FILE:libration-proved> $<TARGET_FILE:libration>)
-add_dependencies(libration-static libration-sweep libration-proved libration)
+set(own_archives $<TARGET_FILE:libration-sweep> $<TARGET_FILE:libration>)
+add_dependencies(libration-static libration-sweep libration)
 target_link_options(libration-static PRIVATE
     -static-libstdc++ -static-libgcc -s
-    LINKER:--whole-archive $<TARGET_FILE:libration> $<TARGET_FILE:libration-proved> LINKER:--no-whole-archive)
+    LINKER:--whole-archive $<TARGET_FILE:libration> LINKER:--no-whole-archive)
 target_link_libraries(libration-static PRIVATE
     libration-warnings -Wl,--start-group ${own_archives} ${static_archives} -Wl,--end-group Threads::Threads m)
 set_property(TARGET libration-static APPEND PROPERTY LINK_DEPENDS ${own_archives} ${static_archives})

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "libration/approximant/asymptotic/asymptotic.hpp"
+#include "libration/approximant/asymptotic.hpp"
 #include "libration/approximant/difference_norm.hpp"
-#include "libration/ode/taylor_expansion.hpp"
-#include "libration/ode/trajectory.hpp"
+#include "libration/expansion/taylor_expansion.hpp"
 #include "libration/problem/known_facts.hpp"
+#include "libration/query/trajectory.hpp"
 #include "text/table.hpp"
 
 namespace libration::studies::approximant_norms {

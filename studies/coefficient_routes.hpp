@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "libration/pendulum/arc/resummation.hpp"
-#include "libration/pendulum/singularity/singularities.hpp"
-#include "libration/pendulum/taylor/other_recurrences.hpp"
+#include "libration/pendulum/other_recurrences.hpp"
+#include "libration/pendulum/resummation.hpp"
+#include "libration/pendulum/singularities.hpp"
 #include "text/table.hpp"
 
 namespace libration::studies::coefficient_routes {

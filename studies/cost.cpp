@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "coefficient_routes.hpp"
-#include "libration/ode/taylor_expansion.hpp"
+#include "libration/expansion/taylor_expansion.hpp"
 #include "libration/scalar/counted.hpp"
 #include "shared/equation_plan.hpp"
 #include "shared/sweep_columns.hpp"

@@ -1,7 +1,7 @@
 // How does the series about the bottom of the trajectory behave over one period? [paper fig:series]
 #include <algorithm>
 
-#include "libration/pendulum/taylor/bottom_series.hpp"
+#include "libration/pendulum/bottom_series.hpp"
 #include "shared/agreed_numbers.hpp"
 #include "shared/radius_on_interval.hpp"
 #include "shared/sweep_columns.hpp"

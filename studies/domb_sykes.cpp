@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "libration/convergence/estimate/coefficient_ratios.hpp"
+#include "libration/convergence/coefficient_ratios.hpp"
 #include "shared/list_answers.hpp"
 #include "shared/sweep_plan.hpp"
 

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "libration/digits/proved/proved_decimals.hpp"
-#include "libration/pendulum/error/error_norm.hpp"
-#include "libration/pendulum/error/proved/proved_norm.hpp"
+#include "libration/digits/proved_decimals.hpp"
+#include "libration/pendulum/error_norm.hpp"
+#include "libration/pendulum/proved_norm.hpp"
 #include "printed_norm.hpp"
 #include "separatrix_baseline.hpp"
 #include "shared/proved_norms.hpp"

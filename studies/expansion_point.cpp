@@ -3,8 +3,8 @@
 #include <optional>
 #include <string_view>
 
-#include "libration/ode/parse.hpp"
-#include "libration/pendulum/error/expansion_coverage.hpp"
+#include "libration/equation/text/parse.hpp"
+#include "libration/pendulum/expansion_coverage.hpp"
 #include "shared/list_answers.hpp"
 #include "shared/sweep_columns.hpp"
 #include "shared/sweep_plan.hpp"

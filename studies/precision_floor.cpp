@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "libration/pendulum/error/error_norm.hpp"
+#include "libration/pendulum/error_norm.hpp"
 #include "shared/norms_on_interval.hpp"
 #include "shared/radius_on_interval.hpp"
 #include "shared/sweep_columns.hpp"

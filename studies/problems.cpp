@@ -4,7 +4,7 @@
 
 #include "equation/catalogue_axis.hpp"
 #include "equation/solution_on_interval.hpp"
-#include "libration/ode/parse.hpp"
+#include "libration/equation/text/parse.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "shared/list_answers.hpp"
 

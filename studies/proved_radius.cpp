@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <chrono>
 
-#include "libration/ode/first_order_form.hpp"
-#include "libration/ode/proved/proved_singularity.hpp"
+#include "libration/equation/first_order_form.hpp"
+#include "libration/plane/proved_singularity.hpp"
 #include "libration/scalar/ball/decimal.hpp"
 #include "shared/equation_plan.hpp"
 

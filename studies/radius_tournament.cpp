@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "libration/ode/first_order_form.hpp"
-#include "libration/ode/proved/proved_singularity.hpp"
+#include "libration/equation/first_order_form.hpp"
+#include "libration/plane/proved_singularity.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "tournament_scores.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "libration/pendulum/error/march_error.hpp"
+#include "libration/pendulum/march_error.hpp"
 #include "sweep/study.hpp"
 #include "text/input_error.hpp"
 

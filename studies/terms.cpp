@@ -3,7 +3,7 @@
 #include <functional>
 #include <optional>
 
-#include "libration/pendulum/error/least_order.hpp"
+#include "libration/pendulum/least_order.hpp"
 #include "shared/norms_on_interval.hpp"
 #include "shared/radius_on_interval.hpp"
 #include "shared/sweep_columns.hpp"

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "libration/convergence/known/known_series.hpp"
-#include "libration/pendulum/error/known_arc_series.hpp"
+#include "libration/pendulum/known_arc_series.hpp"
+#include "libration/problem/known/known_series.hpp"
 #include "shared/list_answers.hpp"
 #include "shared/sweep_plan.hpp"
 

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "libration/scalar/ball/ball.hpp"
-#include "libration/scalar/text/decimal.hpp"
-#include "libration/scalar/text/printed_number.hpp"
+#include "libration/scalar/decimal.hpp"
+#include "libration/scalar/printed_number.hpp"
 #include "scalars.hpp"
 
 namespace libration::tests {

@@ -7,9 +7,9 @@
 #include <tuple>
 #include <utility>
 
-#include "libration/scalar/exact.hpp"
+#include "libration/number/exact.hpp"
+#include "libration/scalar/decimal.hpp"
 #include "libration/scalar/scalar.hpp"
-#include "libration/scalar/text/decimal.hpp"
 
 namespace libration::tests {
 

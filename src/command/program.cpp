@@ -23,7 +23,7 @@
 #include "libration/scalar/ball/failure.hpp"
 #include "libration/scalar/ball/quotient.hpp"
 #include "libration/scalar/error.hpp"
-#include "libration/scalar/text/near_word.hpp"
+#include "libration/scalar/near_word.hpp"
 #include "option/help.hpp"
 #include "option/subcommand.hpp"
 #include "option/timeout_option.hpp"

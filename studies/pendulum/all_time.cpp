@@ -6,8 +6,8 @@
 #include "../shared/sweep_columns.hpp"
 #include "../shared/sweep_plan.hpp"
 #include "folded.hpp"
-#include "libration/pendulum/error/folding_error.hpp"
-#include "libration/pendulum/solution/rounded_phase_map.hpp"
+#include "libration/pendulum/folding_error.hpp"
+#include "libration/pendulum/rounded_phase_map.hpp"
 #include "periodic_rows.hpp"
 
 namespace libration::studies {

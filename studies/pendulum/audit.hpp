@@ -9,9 +9,9 @@
 
 #include "../shared/sweep_columns.hpp"
 #include "../shared/sweep_plan.hpp"
-#include "libration/pendulum/proved/proved_theta.hpp"
+#include "libration/pendulum/proved_theta.hpp"
 
-#include "libration/pendulum/solution/exact_solution.hpp"
+#include "libration/pendulum/exact_solution.hpp"
 #include "libration/scalar/ball/decimal.hpp"
 #include "libration/scalar/error.hpp"
 #include "text/input_error.hpp"

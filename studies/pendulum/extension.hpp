@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "../shared/sweep_plan.hpp"
-#include "libration/pendulum/arc/periodic_extension.hpp"
-#include "libration/pendulum/error/error_norm.hpp"
-#include "libration/pendulum/solution/exact_solution.hpp"
+#include "libration/pendulum/error_norm.hpp"
+#include "libration/pendulum/exact_solution.hpp"
+#include "libration/pendulum/periodic_extension.hpp"
 #include "numerical_points.hpp"
 #include "periodic_rows.hpp"
 #include "value_with_error.hpp"

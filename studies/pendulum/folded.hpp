@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "libration/pendulum/arc/periodic_extension.hpp"
-#include "libration/pendulum/error/error_norm.hpp"
-#include "libration/pendulum/solution/exact_solution.hpp"
+#include "libration/pendulum/error_norm.hpp"
+#include "libration/pendulum/exact_solution.hpp"
+#include "libration/pendulum/periodic_extension.hpp"
 #include "libration/scalar/dispatch.hpp"
 #include "value_with_error.hpp"
 

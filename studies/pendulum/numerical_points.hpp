@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "libration/pendulum/numerical/numerical_solution.hpp"
-#include "libration/pendulum/solution/exact_solution.hpp"
+#include "libration/pendulum/exact_solution.hpp"
+#include "libration/pendulum/numerical_solution.hpp"
 #include "text/input_error.hpp"
 #include "value_with_error.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "../shared/sweep_columns.hpp"
 #include "../shared/sweep_plan.hpp"
-#include "libration/pendulum/energy/period_error.hpp"
+#include "libration/pendulum/period_error.hpp"
 
 namespace libration::studies {
 

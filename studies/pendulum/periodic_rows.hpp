@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "../shared/sweep_columns.hpp"
-#include "libration/pendulum/time/dimensionless_time.hpp"
+#include "libration/pendulum/dimensionless_time.hpp"
 #include "value_with_error.hpp"
 
 namespace libration::studies {

@@ -5,7 +5,7 @@
 #include "../shared/sweep_columns.hpp"
 #include "../shared/sweep_plan.hpp"
 #include "libration/digits/growing_precision.hpp"
-#include "libration/pendulum/error/arc_approximations.hpp"
+#include "libration/pendulum/arc_approximations.hpp"
 
 namespace libration::studies {
 

@@ -8,7 +8,7 @@
 #include "../shared/sweep_columns.hpp"
 #include "../shared/sweep_plan.hpp"
 #include "libration/convergence/test/root_test.hpp"
-#include "libration/pendulum/arc/stable_pade_poles.hpp"
+#include "libration/pendulum/stable_pade_poles.hpp"
 
 namespace libration::studies {
 

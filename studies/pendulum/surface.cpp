@@ -6,9 +6,9 @@
 #include "../shared/sweep_columns.hpp"
 #include "../shared/sweep_plan.hpp"
 #include "folded.hpp"
-#include "libration/pendulum/solution/critical_formula.hpp"
-#include "libration/pendulum/solution/exact_solution.hpp"
-#include "libration/pendulum/time/dimensionless_time.hpp"
+#include "libration/pendulum/critical_formula.hpp"
+#include "libration/pendulum/dimensionless_time.hpp"
+#include "libration/pendulum/exact_solution.hpp"
 #include "text/input_error.hpp"
 
 namespace libration::studies {

@@ -4,9 +4,9 @@
 
 #include "../shared/sweep_columns.hpp"
 #include "../shared/sweep_plan.hpp"
-#include "libration/pendulum/arc/uniform_convergence_rate.hpp"
-#include "libration/pendulum/arc/uniform_resummation.hpp"
-#include "libration/pendulum/error/error_norm.hpp"
+#include "libration/pendulum/error_norm.hpp"
+#include "libration/pendulum/uniform_convergence_rate.hpp"
+#include "libration/pendulum/uniform_resummation.hpp"
 
 namespace libration::studies {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "libration/digits/growing_precision.hpp"
+#include "libration/scalar/decimal.hpp"
 #include "libration/scalar/enclose.hpp"
-#include "libration/scalar/text/decimal.hpp"
 
 namespace libration::studies {
 

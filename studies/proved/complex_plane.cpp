@@ -6,9 +6,9 @@
 #include <string>
 
 #include "equation/catalogue_axis.hpp"
-#include "libration/ode/first_order_form.hpp"
-#include "libration/ode/parse.hpp"
-#include "libration/ode/proved/proved_singularity.hpp"
+#include "libration/equation/first_order_form.hpp"
+#include "libration/equation/text/parse.hpp"
+#include "libration/plane/proved_singularity.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "libration/scalar/ball/decimal.hpp"
 #include "sweep/study.hpp"

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "../shared/named_choice.hpp"
-#include "libration/ode/proved/condition_numbers.hpp"
-#include "libration/ode/proved/proved_trajectory.hpp"
 #include "libration/problem/problem_family.hpp"
+#include "libration/query/condition_numbers.hpp"
+#include "libration/query/states.hpp"
 #include "reference_files.hpp"
 #include "solution_facts.hpp"
 #include "sweep/study.hpp"

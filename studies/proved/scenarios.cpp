@@ -4,10 +4,10 @@
 #include <string>
 
 #include "equation/catalogue_axis.hpp"
-#include "libration/ode/parse.hpp"
-#include "libration/ode/proved/proved_singularity.hpp"
-#include "libration/ode/proved/proved_trajectory.hpp"
+#include "libration/equation/text/parse.hpp"
+#include "libration/plane/proved_singularity.hpp"
 #include "libration/problem/catalogue.hpp"
+#include "libration/query/states.hpp"
 #include "libration/scalar/ball/decimal.hpp"
 #include "sweep/study.hpp"
 

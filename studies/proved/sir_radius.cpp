@@ -4,8 +4,8 @@
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <string>
 
-#include "libration/ode/parse.hpp"
-#include "libration/ode/proved/proved_singularity.hpp"
+#include "libration/equation/text/parse.hpp"
+#include "libration/plane/proved_singularity.hpp"
 #include "libration/problem/problem_family.hpp"
 #include "libration/scalar/ball/decimal.hpp"
 #include "libration/scalar/constants.hpp"

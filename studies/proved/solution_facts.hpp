@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "libration/convergence/list/coefficient_unit.hpp"
+#include "libration/convergence/coefficient_unit.hpp"
 #include "libration/convergence/radius_report.hpp"
-#include "libration/digits/proved/proved_decimals.hpp"
-#include "libration/ode/first_order_form.hpp"
-#include "libration/ode/taylor_expansion.hpp"
+#include "libration/digits/proved_decimals.hpp"
+#include "libration/equation/first_order_form.hpp"
+#include "libration/expansion/taylor_expansion.hpp"
 #include "libration/problem/axis.hpp"
 #include "test_problems.hpp"
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "libration/ode/constant_value.hpp"
-#include "libration/ode/tape.hpp"
+#include "libration/equation/constant_value.hpp"
+#include "libration/expansion/tape.hpp"
 #include "run/child_program.hpp"
 #include "run/program_files.hpp"
 

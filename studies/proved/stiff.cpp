@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "../shared/named_choice.hpp"
-#include "libration/ode/proved/proved_march.hpp"
+#include "libration/integration/proved_march.hpp"
 #include "libration/problem/problem_family.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "stiff_problems.hpp"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "../shared/catalogue_system.hpp"
-#include "libration/ode/parse.hpp"
+#include "libration/equation/text/parse.hpp"
 
 namespace libration::studies::proved {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "libration/ode/parse.hpp"
+#include "libration/equation/text/parse.hpp"
 #include "libration/problem/catalogue.hpp"
 
 namespace libration::studies {

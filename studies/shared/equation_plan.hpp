@@ -53,7 +53,7 @@ study_plan plan_by_numbers(std::vector<study_table> tables, const shared_equatio
 inline std::vector<ode::number> times_of(const study_request& request, std::size_t least) {
     std::vector<ode::number> times;
     for (const exact& each : request.values.of("time")) {
-        times.push_back(as_expression(each));
+        times.push_back(as_exact_real(each));
     }
     if (times.size() < least) {
         throw input_error(times.empty() ? "no --times are given: add --times such as 0:3:61"

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "equation_plan.hpp"
-#include "libration/convergence/estimate/root_variable.hpp"
-#include "libration/convergence/list/coefficient_unit.hpp"
+#include "libration/convergence/coefficient_unit.hpp"
 #include "libration/convergence/radius_report.hpp"
-#include "libration/pendulum/error/series_on_arc.hpp"
+#include "libration/convergence/root_variable.hpp"
+#include "libration/pendulum/series_on_arc.hpp"
 #include "libration/problem/unknown_lists.hpp"
 #include "sweep_columns.hpp"
 

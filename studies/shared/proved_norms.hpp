@@ -1,6 +1,6 @@
 // The largest errors of approximants of an equation at times of an interval, every digit proved.
 //
-// The solution at the times is enclosed by theorem V (ode/proved/proved_march.hpp), the coefficients and the values of
+// The solution at the times is enclosed by theorem V (integration/proved_march.hpp), the coefficients and the values of
 // the approximants are computed on balls, and so the largest of the differences is enclosed.
 #pragma once
 
@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "libration/approximant/proved/pade.hpp"
-#include "libration/ode/ball/taylor_expansion.hpp"
-#include "libration/ode/first_order_form.hpp"
-#include "libration/ode/proved/proved_trajectory.hpp"
+#include "libration/approximant/pade_enclosure.hpp"
+#include "libration/equation/first_order_form.hpp"
+#include "libration/expansion/ball_expansion.hpp"
+#include "libration/query/states.hpp"
 #include "libration/scalar/ball/decimal.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "norms_on_interval.hpp"

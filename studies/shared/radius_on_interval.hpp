@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "libration/ode/constant_value.hpp"
-#include "libration/ode/tape.hpp"
+#include "libration/equation/constant_value.hpp"
+#include "libration/expansion/tape.hpp"
 #include "list_answers.hpp"
 
 namespace libration::studies {

@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-#include "libration/scalar/exact.hpp"
+#include "libration/number/exact.hpp"
 #include "truncation/arb_theta.hpp"
 
 namespace libration::tests {

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "libration/scalar/exact.hpp"
+#include "libration/number/exact.hpp"
 
 namespace libration::attack {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-#include "libration/scalar/exact.hpp"
+#include "libration/number/exact.hpp"
 
 namespace libration::attack {
 

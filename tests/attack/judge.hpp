@@ -9,7 +9,7 @@
 
 #include "libration/scalar/ball/ball.hpp"
 #include "libration/scalar/mpfr.hpp"
-#include "libration/scalar/text/printed_number.hpp"
+#include "libration/scalar/printed_number.hpp"
 
 namespace libration::attack {
 

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "libration/scalar/exact.hpp"
+#include "libration/number/exact.hpp"
 #include "truncation/arb_theta.hpp"
 
 namespace libration::tests {

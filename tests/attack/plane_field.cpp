@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "libration/scalar/exact.hpp"
+#include "libration/number/exact.hpp"
 
 namespace libration::attack {
 

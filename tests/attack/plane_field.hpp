@@ -5,7 +5,7 @@
 #include <functional>
 #include <optional>
 
-#include "libration/scalar/exact.hpp"
+#include "libration/number/exact.hpp"
 
 namespace libration::attack {
 

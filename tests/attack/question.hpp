@@ -10,10 +10,10 @@
 
 #include "attack/judge.hpp"
 #include "attack/solved_problem.hpp"
-#include "libration/ode/explicit_system.hpp"
-#include "libration/ode/integrator.hpp"
-#include "libration/ode/parse.hpp"
-#include "libration/ode/proved/known_value.hpp"
+#include "libration/digits/proved_value.hpp"
+#include "libration/equation/explicit_system.hpp"
+#include "libration/equation/text/parse.hpp"
+#include "libration/integration/integrator.hpp"
 
 namespace libration::attack {
 

@@ -7,7 +7,7 @@
 
 #include "certificates/checked.hpp"
 #include "command/temporary_folder.hpp"
-#include "libration/ode/equation_system.hpp"
+#include "libration/equation/equation_system.hpp"
 #include "libration/problem/certificate.hpp"
 #include "libration/problem/find.hpp"
 #include "libration/scalar/enclose.hpp"

@@ -9,7 +9,7 @@
 #include "certificates/checked.hpp"
 #include "command/refusal.hpp"
 #include "equation/certificate_file.hpp"
-#include "libration/ode/rigorous/certificate/certificate.hpp"
+#include "libration/query/certificate/certificate.hpp"
 
 namespace command_certificate_test {
 

@@ -1,4 +1,4 @@
-// Problems whose series FLINT up to 3.6.0 multiplies incorrectly (scalar/ball/integer_product.hpp), compared with
+// Problems whose series FLINT up to 3.6.0 multiplies incorrectly (scalar/ball/product_guard.hpp), compared with
 // closed forms in fractions: y' = c/(1-t) c/(t-1), y(0) = 0 has the solution y = -c^2 t/(1-t), whose coefficients are
 // all -c^2.
 #include <catch2/catch.hpp>

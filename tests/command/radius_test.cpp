@@ -7,7 +7,7 @@
 
 #include "command/printed.hpp"
 #include "command/refusal.hpp"
-#include "libration/pendulum/singularity/singularities.hpp"
+#include "libration/pendulum/singularities.hpp"
 
 namespace command_radius_test {
 

@@ -9,9 +9,9 @@
 
 #include "command/printed.hpp"
 #include "command/reference_motion.hpp"
-#include "libration/pendulum/arc/bounds.hpp"
-#include "libration/pendulum/arc/uniform_resummation.hpp"
-#include "libration/pendulum/solution/separatrix_sum.hpp"
+#include "libration/pendulum/bounds.hpp"
+#include "libration/pendulum/separatrix_sum.hpp"
+#include "libration/pendulum/uniform_resummation.hpp"
 
 namespace command_trajectory_test {
 

@@ -1,7 +1,7 @@
 // What a user's program looks like: the period of a pendulum in 50 digits and in quad.
 #include <iostream>
-#include <libration/pendulum/energy/period.hpp>
-#include <libration/scalar/text/decimal.hpp>
+#include <libration/pendulum/energy/period.hpp>  // at its place in version 1.0
+#include <libration/scalar/decimal.hpp>
 
 int main() {
     using namespace libration;

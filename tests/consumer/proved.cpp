@@ -1,6 +1,6 @@
 // What a user's program with proved arithmetic looks like: the period of a pendulum, every digit of it certain.
 #include <iostream>
-#include <libration/pendulum/energy/period.hpp>
+#include <libration/pendulum/period.hpp>
 #include <libration/scalar/ball/decimal.hpp>
 
 int main() {

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "convergence/radius_population.hpp"
-#include "libration/ode/parse.hpp"
-#include "libration/ode/taylor_expansion.hpp"
+#include "libration/equation/text/parse.hpp"
+#include "libration/expansion/taylor_expansion.hpp"
+#include "libration/number/exact.hpp"
 #include "libration/problem/catalogue.hpp"
-#include "libration/scalar/exact.hpp"
 
 namespace libration::tests {
 

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "libration/convergence/estimate/strided_series.hpp"
-#include "libration/convergence/known/special_series.hpp"
+#include "libration/convergence/special_series.hpp"
+#include "libration/convergence/strided_series.hpp"
 #include "libration/series/exponential.hpp"
 
 namespace libration::tests {

@@ -8,7 +8,7 @@
 #include "convergence/equation_families.hpp"
 #include "convergence/logarithmic_families.hpp"
 #include "convergence/radius_families.hpp"
-#include "libration/convergence/list/coefficient_noise.hpp"
+#include "libration/convergence/coefficient_noise.hpp"
 #include "libration/convergence/list_report.hpp"
 
 namespace convergence_radius_population_test {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "libration/convergence/estimate/radius_estimate.hpp"
-#include "libration/convergence/estimate/strided_series.hpp"
-#include "libration/scalar/exact.hpp"
+#include "libration/convergence/radius_estimate.hpp"
+#include "libration/convergence/strided_series.hpp"
+#include "libration/number/exact.hpp"
 
 namespace libration::tests {
 

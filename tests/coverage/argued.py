@@ -1,28 +1,27 @@
 """Conditions in the proofs that no test makes both true and false, and why: {(file, line of the source): reason}."""
 
-NOME = "include/libration/elliptic/proved/landen_nome.hpp"
+NOME = "include/libration/elliptic/landen_nome.hpp"
 ANGLE = "include/libration/scalar/ball/arctangent.hpp"
 TURNED = "include/libration/scalar/ball/turned_point.hpp"
-MOTION = "src/libration/pendulum/motion/motion.cpp"
-ODE = "src/libration/ode/"
-LIFTED = ODE + "lifted_system.cpp"
-DISC = ODE + "proved/complex_disc.cpp"
-CONDITIONS = ODE + "proved/condition_numbers.cpp"
-EVENTS = ODE + "proved/events/event_search.cpp"
+MOTION = "src/libration/pendulum/motion.cpp"
+LIFTED = "src/libration/equation/polynomial_form.cpp"
+DISC = "src/libration/plane/complex_disc.cpp"
+CONDITIONS = "src/libration/query/condition_numbers.cpp"
+EVENTS = "src/libration/event/zero_search.cpp"
 KNOWN = "src/libration/problem/known/"
-SHOOTING = KNOWN + "shooting.cpp"
-ATOM = KNOWN + "thomas_fermi.cpp"
-MARCH = ODE + "proved/proved_march.cpp"
-ROOT = ODE + "proved/proved_root.cpp"
-BOUNDS = ODE + "proved/radius_bounds.cpp"
-PLACE = ODE + "proved/proved_singularity.cpp"
-STEP = ODE + "proved/singular_step.cpp"
-TAIL = ODE + "proved/tail_bound.cpp"
-DECIMALS = "src/libration/digits/proved/proved_decimals.cpp"
-PRODUCT = "src/libration/scalar/ball/integer_product.cpp"
-SAKIADIS = KNOWN + "sakiadis.cpp"
-FLOW = ODE + "proved/flow_derivatives.cpp"
-COLLOCATION = ODE + "rigorous/collocation_integrator.cpp"
+SHOOTING = "src/libration/problem/known/shooting.cpp"
+ATOM = "src/libration/problem/known/thomas_fermi.cpp"
+MARCH = "src/libration/integration/proved_march.cpp"
+ROOT = "src/libration/query/krawczyk.cpp"
+BOUNDS = "src/libration/plane/radius_bound.cpp"
+PLACE = "src/libration/plane/proved_singularity.cpp"
+STEP = "src/libration/integration/singular/singular_step.cpp"
+TAIL = "src/libration/expansion/tail_bound.cpp"
+DECIMALS = "src/libration/digits/proved_decimals.cpp"
+PRODUCT = "src/libration/scalar/ball/product_guard.cpp"
+SAKIADIS = "src/libration/problem/known/sakiadis.cpp"
+FLOW = "src/libration/query/flow_derivatives.cpp"
+COLLOCATION = "src/libration/integration/collocation/collocation_integrator.cpp"
 MORE_BITS = "ends the attempt, and the next one has more bits; no test is so short of them there and not before"
 
 ARGUED = {
@@ -30,7 +29,7 @@ ARGUED = {
         "no memory holds a number whose exponent is no long",
     (NOME, "if (least < 3) {"): "the descent ends with e below 2^-4; kept, because the series of the nome rests on it",
     (NOME, "if (small_ < 3) {"): "P is below 1.1 e; kept, because theorem (2) rests on it",
-    ("include/libration/pendulum/proved/proved_libration.hpp", "while (levels_ < most_levels) {"):
+    ("include/libration/pendulum/proved_libration.hpp", "while (levels_ < most_levels) {"):
         "e squares itself at every level: the energies that are served end before the array does",
     (ANGLE, "if (!known || size > 0 || size < -8 || arb_rel_accuracy_bits(ratio.handle()) < 16) {"):
         "FLINT keeps the angles of the table; a release that keeps others is what it is asked for",
@@ -42,7 +41,7 @@ ARGUED = {
         "FLINT keeps the angles of the table",
     (TURNED, "return std::fabs(units) < std::ldexp(1, 62) ? static_cast<std::int64_t>(units) : 0;"):
         "|y/x| < 1 at the scale 2^61, and what the coarse relations leave at the scale of the fine ones",
-    ("src/libration/pendulum/motion/decision.cpp", "if (problem.kind() != error_kind::undecided) {"):
+    ("src/libration/pendulum/decision.cpp", "if (problem.kind() != error_kind::undecided) {"):
         "no sign of a formula fails otherwise; another failure has to pass",
     (MOTION, "theta0_ && theta0_->is_angle() && denominator(theta0_->in_pi()) == 1 && numerator(theta0_->in_pi()) % 2 != 0;"):
         "a motion without theta0 is given by its energy, which has its quarter before",
@@ -56,9 +55,9 @@ ARGUED = {
     (LIFTED, "expression inverse(const expression& u) { return u.is_constant() ? 1 / u : added(expression(1) / u); }"):
         "expressions fold what is made of constants alone; kept for expressions that C++ builds in another way",
     (LIFTED, "if (u.is_constant()) {"): "as above",
-    (KNOWN + "blasius.cpp", "for (int time = 8; time <= latest_time; time += 2) {"):
+    ("src/libration/problem/known/blasius.cpp", "for (int time = 8; time <= latest_time; time += 2) {"):
         "f'' falls like exp(-t^2/4): before t = 1000 it is below any precision that memory holds",
-    (KNOWN + "blasius.cpp", "if (!state) {"): MORE_BITS,
+    ("src/libration/problem/known/blasius.cpp", "if (!state) {"): MORE_BITS,
     (LIFTED, "const auto x = values.refusal_of(e.left()) ? std::nullopt : values.value_of(e.left()).fraction();"):
         "equations whose right-hand side has no value at the start are rejected before; kept, because a value is taken",
     (DECIMALS, "if (!decimal || !has_a_digit(*decimal)) {"):

@@ -3,7 +3,7 @@
 
     python3 tests/coverage/coverage.py BUILD [--jobs N]
 
-BUILD is the folder of a build that has made liblibration.a and liblibration-proved.a. The tests of TESTS, and the
+BUILD is the folder of a build that has made liblibration.a. The tests of TESTS, and the
 sources of the library that belong to the files, are compiled with counters and run. Every condition that is never true,
 or never false, in any test has to stand in argued.py with a reason; where one does not, and where a reason has no such
 condition left, the exit code is 1.
@@ -31,37 +31,37 @@ TESTS = """
     truncation/refusals_test.cpp truncation/theta_series_test.cpp
     function/functions_test.cpp
     scalar/ball/arctangent_test.cpp scalar/ball/decimal_test.cpp scalar/ball/fixed_point_test.cpp
-    scalar/ball/integer_product_test.cpp scalar/ball/polynomial_test.cpp
-    digits/proved/proved_decimals_test.cpp approximant/proved/maximum_test.cpp
-    elliptic/proved/named_function_test.cpp elliptic/proved/proved_elliptic_test.cpp
-    elliptic/proved/proved_functions_test.cpp
-    pendulum/proved/landen_motion_test.cpp pendulum/proved/proved_canonical_test.cpp
-    pendulum/proved/proved_motion_test.cpp pendulum/error/proved/proved_norm_test.cpp
-    pendulum/motion/decision_test.cpp pendulum/motion/motion_test.cpp
-    pendulum/taylor/lattice_coefficients_test.cpp pendulum/taylor/singularity_view_test.cpp
-    pendulum/arc/bounds_test.cpp pendulum/arc/uniform_remainder_test.cpp
-    ode/lifted_system_test.cpp ode/proved/complex_disc_test.cpp ode/proved/condition_numbers_test.cpp
-    ode/proved/error_set_test.cpp ode/proved/proved_events_test.cpp
-    ode/proved/event_laws_test.cpp ode/proved/lifted_collocation_test.cpp ode/proved/lifted_set_test.cpp
-    ode/proved/proof_route_test.cpp ode/proved/proved_march_test.cpp ode/proved/proved_root_test.cpp
-    ode/proved/proved_singularity_test.cpp ode/proved/flow_derivatives_test.cpp
-    ode/proved/radius_bounds_test.cpp ode/proved/scale_test.cpp ode/proved/singular_step_test.cpp
-    ode/proved/stiff_test.cpp ode/proved/tail_bound_test.cpp ode/proved/sets/solution_sets_test.cpp
-    ode/proved/sets/set_events_test.cpp
-    ode/delay/delay_trajectory_test.cpp ode/delay/delay_events_test.cpp
+    scalar/ball/product_guard_test.cpp scalar/ball/polynomial_test.cpp
+    digits/proved_decimals_test.cpp approximant/pade_error_test.cpp
+    elliptic/named_function_test.cpp elliptic/proved_elliptic_test.cpp
+    elliptic/proved_functions_test.cpp
+    pendulum/landen_motion_test.cpp pendulum/proved_canonical_test.cpp
+    pendulum/proved_motion_test.cpp pendulum/proved_norm_test.cpp
+    pendulum/decision_test.cpp pendulum/motion_test.cpp
+    pendulum/lattice_coefficients_test.cpp pendulum/singularity_view_test.cpp
+    pendulum/bounds_test.cpp pendulum/uniform_remainder_test.cpp
+    equation/polynomial_form_test.cpp plane/complex_disc_test.cpp query/condition_numbers_test.cpp
+    integration/lohner_set_test.cpp query/proved_events_test.cpp
+    query/event_laws_test.cpp integration/collocation/lifted_collocation_test.cpp integration/lifted_set_test.cpp
+    integration/proof_route_test.cpp integration/proved_march_test.cpp query/krawczyk_test.cpp
+    plane/proved_singularity_test.cpp query/flow_derivatives_test.cpp
+    plane/radius_bound_test.cpp query/scale_test.cpp integration/singular/singular_step_test.cpp
+    integration/collocation/stiff_test.cpp expansion/tail_bound_test.cpp query/sets/solution_sets_test.cpp
+    query/sets/set_events_test.cpp
+    query/delay_trajectory_test.cpp query/delay_events_test.cpp
     problem/far_behaviour_test.cpp problem/known/conditions_at_infinity_test.cpp problem/known/painleve_1_test.cpp
-    ode/proved/ways_out_test.cpp ode/singularity/regular_coordinates_test.cpp
-    ode/proved/solution_branch_test.cpp problem/known/kepler_test.cpp
-    ode/proved/stiff_events_test.cpp ode/proved/decay_coordinates_test.cpp ode/proved/conditions_at_times_test.cpp
+    integration/ways_out_test.cpp plane/regular_coordinates_test.cpp
+    query/shooting/solution_branch_test.cpp problem/known/kepler_test.cpp
+    query/stiff_events_test.cpp integration/collocation/decay_coordinates_test.cpp equation/text/conditions_at_times_test.cpp
     problem/hybrid_solution_test.cpp problem/hybrid_attack_test.cpp problem/solution_test.cpp
 """.split()
 
 
 # Sources on the way to those that are named: compiled by themselves, as calls within one unit of the archive are not
 # those of the sources with counters.
-CALLERS = ["src/libration/ode/proved/march_collocation.cpp", "src/libration/ode/delay/proved/delay_trajectory.cpp",
-           "src/libration/problem/known/known_facts.cpp",
-           "src/libration/problem/solution/solve.cpp"]
+CALLERS = ["src/libration/integration/march_collocation.cpp", "src/libration/query/delay_trajectory.cpp",
+           "src/libration/problem/known_facts.cpp",
+           "src/libration/problem/solve.cpp"]
 
 
 def named_files():
@@ -69,7 +69,7 @@ def named_files():
     text = (ROOT / "docs/proved.md").read_text()
     headers = [f"include/libration/{name}" for name in sorted(set(re.findall(r"`([a-z_/]+\.hpp)`", text)))]
     sources = [h.replace("include", "src", 1).replace(".hpp", ".cpp") for h in headers]
-    sources = [s.replace("known/proved/", "known/") for s in sources] + ["src/libration/problem/known/shooting.cpp"]
+    sources = sources + ["src/libration/problem/known/shooting.cpp"]
     return headers, [s for s in sources if (ROOT / s).exists()]
 
 
@@ -132,7 +132,7 @@ def main():
     headers, sources = named_files()
     objects = compiled(folder, options.jobs, sources + CALLERS)
     run(["clang++", "-fprofile-instr-generate", folder / "main.o", *objects, "-Wl,--allow-multiple-definition",
-         build / "liblibration-proved.a", build / "liblibration.a", *LIBRARIES,
+         build / "liblibration.a", *LIBRARIES,
          run(["g++", "-print-file-name=libquadmath.so"]).strip(), "-o", folder / "program"])
     run([folder / "program"], cwd=folder, env={**os.environ, "LLVM_PROFILE_FILE": str(folder / "raw")})
 

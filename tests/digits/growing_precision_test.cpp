@@ -6,7 +6,7 @@
 
 #include "libration/digits/agreed_values.hpp"
 #include "libration/digits/bounded_value.hpp"
-#include "libration/scalar/text/decimal.hpp"
+#include "libration/scalar/decimal.hpp"
 
 namespace digits_growing_precision_test {
 

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "libration/elliptic/proved/digits.hpp"
+#include "libration/elliptic/digits_enclosure.hpp"
 #include "libration/scalar/error.hpp"
 
 namespace elliptic_digits_test {

@@ -4,7 +4,7 @@
     python3 tests/faults/plant.py BUILD [--jobs N] [--only WORD...]
     python3 tests/faults/plant.py --places
 
-BUILD is the folder of a build that has made liblibration.a and liblibration-proved.a, release for one. For each fault
+BUILD is the folder of a build that has made liblibration.a, release for one. For each fault
 only the tests named beside it are compiled, and a source of the library where the fault is in one. A test catches a
 fault by failing, by a crash, by running SLOWER times as long as without it, or by a static assertion. First the same
 tests have to pass as they are. Exit code: 0 where every fault is caught; 1 where one is not or does not compile, or
@@ -69,7 +69,7 @@ class Workshop:
                 return [f"{source} {ASSERTS if ASSERTS in said else 'does not compile'}"], said
             objects.append(target)
         program = self.folder / "program"
-        archives = [self.build / "liblibration-proved.a", self.build / "liblibration.a"]
+        archives = [self.build / "liblibration.a"]
         # What is compiled here comes first, so that it is taken instead of the same in the archives.
         linked = run(["g++", self.shared / "main.o", *objects, "-Wl,--allow-multiple-definition", *archives,
                       *LIBRARIES, "-o", program])

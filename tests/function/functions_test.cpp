@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "libration/function/ball/values.hpp"
-#include "libration/ode/ball/taylor_expansion.hpp"
-#include "libration/ode/lifted_system.hpp"
-#include "libration/ode/parse.hpp"
-#include "libration/scalar/text/expression_text.hpp"
+#include "libration/equation/polynomial_form.hpp"
+#include "libration/equation/text/parse.hpp"
+#include "libration/expansion/ball_expansion.hpp"
+#include "libration/function/ball_values.hpp"
+#include "libration/number/exact_real_text.hpp"
 #include "proved.hpp"
 #include "scalars.hpp"
 
@@ -111,7 +111,7 @@ TEST_CASE("the polynomial form of each function has its series", "[function]") {
                                     (has_order(p.f) ? std::string(name_of(p.f)) + "(" + p.order.str() + ", u)"
                                                     : std::string(name_of(p.f)) + "(u)") +
                                     "; y(0) = 1/5"));
-        const lifted_system polynomial = lifted(given);
+        const polynomial_form polynomial = lifted(given);
         constexpr int order = 12;
         const tape of_given = tape::about_start(given);
         taylor_expansion<ball> expected(of_given, order);

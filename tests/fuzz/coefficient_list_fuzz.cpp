@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "libration/convergence/list/coefficient_list.hpp"
+#include "libration/convergence/coefficient_list.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string text(reinterpret_cast<const char*>(data), size);

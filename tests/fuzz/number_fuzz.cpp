@@ -5,11 +5,11 @@
 #include <cstdlib>
 #include <string>
 
+#include "libration/number/exact.hpp"
+#include "libration/number/grid.hpp"
+#include "libration/number/written_number.hpp"
 #include "libration/scalar/dispatch.hpp"
 #include "libration/scalar/error.hpp"
-#include "libration/scalar/exact.hpp"
-#include "libration/scalar/text/grid.hpp"
-#include "libration/scalar/text/written_number.hpp"
 
 namespace {
 

@@ -11,9 +11,9 @@
 
 #include "command/printed.hpp"
 #include "command/refusal.hpp"
-#include "libration/ode/hybrid/hybrid_system.hpp"
-#include "libration/ode/parse.hpp"
-#include "libration/ode/trajectory.hpp"
+#include "libration/equation/hybrid_system.hpp"
+#include "libration/equation/text/parse.hpp"
+#include "libration/query/trajectory.hpp"
 #include "libration/scalar/scalar.hpp"
 
 namespace import_test {

@@ -4,11 +4,11 @@
 #include <string>
 
 #include "libration/elliptic/incomplete_integral.hpp"
-#include "libration/pendulum/arc/resummation.hpp"
-#include "libration/pendulum/singularity/singularities.hpp"
-#include "libration/pendulum/solution/critical_formula.hpp"
-#include "libration/pendulum/solution/exact_solution.hpp"
-#include "libration/pendulum/solution/separatrix_sum.hpp"
+#include "libration/pendulum/critical_formula.hpp"
+#include "libration/pendulum/exact_solution.hpp"
+#include "libration/pendulum/resummation.hpp"
+#include "libration/pendulum/separatrix_sum.hpp"
+#include "libration/pendulum/singularities.hpp"
 #include "paper/verdicts.hpp"
 #include "pendulum/typed.hpp"
 

@@ -3,9 +3,9 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "libration/pendulum/arc/uniform_resummation.hpp"
-#include "libration/pendulum/error/error_norm.hpp"
-#include "libration/pendulum/singularity/singularities.hpp"
+#include "libration/pendulum/error_norm.hpp"
+#include "libration/pendulum/singularities.hpp"
+#include "libration/pendulum/uniform_resummation.hpp"
 #include "paper/judged.hpp"
 #include "paper/verdicts.hpp"
 #include "pendulum/typed.hpp"

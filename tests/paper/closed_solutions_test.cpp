@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "libration/pendulum/solution/exact_solution.hpp"
+#include "libration/pendulum/exact_solution.hpp"
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "libration/convergence/test/pole_pair.hpp"
-#include "libration/pendulum/error/error_norm.hpp"
-#include "libration/pendulum/taylor/expansion.hpp"
+#include "libration/pendulum/error_norm.hpp"
+#include "libration/pendulum/expansion.hpp"
 #include "paper/judged.hpp"
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "claims/claim.hpp"
-#include "libration/pendulum/error/error_norm.hpp"
+#include "libration/pendulum/error_norm.hpp"
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "libration/pendulum/taylor/expansion.hpp"
+#include "libration/pendulum/expansion.hpp"
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 

@@ -2,9 +2,9 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "libration/pendulum/arc/periodic_extension.hpp"
-#include "libration/pendulum/error/error_norm.hpp"
-#include "libration/pendulum/taylor/expansion.hpp"
+#include "libration/pendulum/error_norm.hpp"
+#include "libration/pendulum/expansion.hpp"
+#include "libration/pendulum/periodic_extension.hpp"
 #include "paper/verdicts.hpp"
 #include "pendulum/typed.hpp"
 

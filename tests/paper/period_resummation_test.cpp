@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "libration/pendulum/energy/period.hpp"
+#include "libration/pendulum/period.hpp"
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "libration/pendulum/arc/periodic_extension.hpp"
+#include "libration/pendulum/periodic_extension.hpp"
 #include "paper/judged.hpp"
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "libration/approximant/difference_norm.hpp"
-#include "libration/pendulum/arc/bounds.hpp"
-#include "libration/pendulum/arc/resummation.hpp"
+#include "libration/pendulum/bounds.hpp"
+#include "libration/pendulum/resummation.hpp"
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "libration/approximant/difference_norm.hpp"
-#include "libration/pendulum/arc/resummation.hpp"
+#include "libration/pendulum/resummation.hpp"
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "libration/approximant/difference_norm.hpp"
-#include "libration/pendulum/arc/bounds.hpp"
-#include "libration/pendulum/arc/resummation.hpp"
-#include "libration/pendulum/numerical/runge_kutta.hpp"
+#include "libration/pendulum/bounds.hpp"
+#include "libration/pendulum/resummation.hpp"
+#include "libration/pendulum/runge_kutta.hpp"
 #include "paper/judged.hpp"
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string>
 
-#include "libration/pendulum/numerical/runge_kutta.hpp"
-#include "libration/pendulum/taylor/expansion.hpp"
+#include "libration/pendulum/expansion.hpp"
+#include "libration/pendulum/runge_kutta.hpp"
 #include "libration/series/exponential.hpp"
 #include "paper/verdicts.hpp"
 #include "pendulum/typed.hpp"

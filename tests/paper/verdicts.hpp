@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "libration/scalar/exact.hpp"
+#include "libration/number/exact.hpp"
 #include "paper/judged.hpp"
 #include "scalars.hpp"
 

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "libration/pendulum/proved/digits.hpp"
+#include "libration/pendulum/digits_enclosure.hpp"
 #include "libration/scalar/error.hpp"
 
 namespace pendulum_digits_test {

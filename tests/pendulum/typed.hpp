@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "libration/pendulum/solution/exact_solution.hpp"
+#include "libration/pendulum/exact_solution.hpp"
 #include "reference_table.hpp"
 
 namespace libration::tests {

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "libration/ode/parse.hpp"
-#include "libration/ode/step.hpp"
-#include "libration/ode/trajectory.hpp"
-#include "libration/ode/unused_parameters.hpp"
+#include "libration/equation/text/parse.hpp"
+#include "libration/equation/unused_parameters.hpp"
+#include "libration/integration/taylor/taylor_march.hpp"
+#include "libration/number/exact.hpp"
+#include "libration/query/trajectory.hpp"
 #include "libration/scalar/error.hpp"
-#include "libration/scalar/exact.hpp"
 
 namespace problem_catalogue_test {
 

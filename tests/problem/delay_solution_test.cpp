@@ -6,9 +6,9 @@
 
 #include "libration/problem/catalogue.hpp"
 #include "libration/problem/solution.hpp"
+#include "libration/scalar/decimal.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/mpfr.hpp"
-#include "libration/scalar/text/decimal.hpp"
 
 namespace problem_delay_solution_test {
 

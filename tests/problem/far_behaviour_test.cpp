@@ -2,11 +2,11 @@
 
 #include <catch2/catch.hpp>
 
-#include "libration/ode/parse.hpp"
-#include "libration/ode/taylor_expansion.hpp"
-#include "libration/ode/trajectory.hpp"
+#include "libration/equation/text/parse.hpp"
+#include "libration/expansion/taylor_expansion.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "libration/problem/known/sakiadis.hpp"
+#include "libration/query/trajectory.hpp"
 #include "scalars.hpp"
 
 namespace problem_far_behaviour_test {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "libration/scalar/decimal.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/mpfr.hpp"
-#include "libration/scalar/text/decimal.hpp"
 
 namespace problem_hybrid_solution_test {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "libration/ode/parse.hpp"
+#include "libration/equation/text/parse.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "libration/scalar/error.hpp"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "libration/ode/parse.hpp"
+#include "libration/equation/text/parse.hpp"
 #include "libration/problem/find.hpp"
 #include "libration/problem/known/pendulum_solution.hpp"
 #include "libration/scalar/error.hpp"
@@ -271,7 +271,7 @@ TEST_CASE("a motion is sampled in double, and an equation is not", "[problem]") 
     sampler->at(times, std::vector<double*>{theta.data(), omega.data()});
     const answer exactly = turn->states("3/4, -2", proved_digits(20));
     for (std::size_t i = 0; i < 2; ++i) {
-        // 4 units in the last place of |theta| < 8 and of the largest omega, sqrt(6) < 4 (pendulum/sampler/sampler.hpp).
+        // 4 units in the last place of |theta| < 8 and of the largest omega, sqrt(6) < 4 (pendulum/sampler.hpp).
         constexpr double unit = 4 * 4 * std::numeric_limits<double>::epsilon();
         CHECK(std::abs(theta[i] - std::stod(exactly.at(i, "theta"))) <= unit);
         CHECK(std::abs(omega[i] - std::stod(exactly.at(i, "omega"))) <= unit);

@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "libration/ode/parse.hpp"
-#include "libration/ode/proved/proved_trajectory.hpp"
+#include "libration/equation/text/parse.hpp"
+#include "libration/number/exact.hpp"
 #include "libration/problem/catalogue.hpp"
-#include "libration/scalar/exact.hpp"
+#include "libration/query/states.hpp"
 #include "proved.hpp"
 
 namespace problem_stiff_problems_test {

@@ -11,7 +11,7 @@
 
 #include "libration/scalar/constants.hpp"
 #include "libration/scalar/convert.hpp"
-#include "libration/scalar/text/decimal.hpp"
+#include "libration/scalar/decimal.hpp"
 
 namespace sweep_parallel_test {
 

@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "libration/pendulum/arc/resummation.hpp"
-#include "libration/pendulum/taylor/other_recurrences.hpp"
+#include "libration/pendulum/other_recurrences.hpp"
+#include "libration/pendulum/resummation.hpp"
 
 namespace scalar_counted_test {
 

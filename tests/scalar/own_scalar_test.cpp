@@ -6,9 +6,9 @@
 #include <string>
 
 #include "../docs/examples/counting.hpp"
-#include "libration/ode/parse.hpp"
-#include "libration/ode/trajectory.hpp"
-#include "libration/pendulum/solution/exact_solution.hpp"
+#include "libration/equation/text/parse.hpp"
+#include "libration/pendulum/exact_solution.hpp"
+#include "libration/query/trajectory.hpp"
 
 namespace scalar_own_scalar_test {
 

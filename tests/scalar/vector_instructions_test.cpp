@@ -1,4 +1,4 @@
-#include "libration/scalar/vector/vector_instructions.hpp"
+#include "libration/scalar/vector_instructions.hpp"
 
 #include <catch2/catch.hpp>
 #include <set>

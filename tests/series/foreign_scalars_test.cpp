@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "libration/ode/parse.hpp"
-#include "libration/ode/taylor_expansion.hpp"
-#include "libration/pendulum/taylor/coefficients.hpp"
-#include "libration/pendulum/taylor/other_recurrences.hpp"
+#include "libration/equation/text/parse.hpp"
+#include "libration/expansion/taylor_expansion.hpp"
+#include "libration/pendulum/coefficients.hpp"
+#include "libration/pendulum/other_recurrences.hpp"
 #include "libration/series/exponential.hpp"
 #include "libration/series/tangent.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "libration/pendulum/error/expansion_coverage.hpp"
+#include "libration/pendulum/expansion_coverage.hpp"
 #include "studies/study_rows.hpp"
 #include "text/input_error.hpp"
 

@@ -5,8 +5,8 @@
 #include <set>
 #include <string>
 
-#include "libration/scalar/exact.hpp"
-#include "libration/scalar/text/decimal.hpp"
+#include "libration/number/exact.hpp"
+#include "libration/scalar/decimal.hpp"
 #include "studies/study_rows.hpp"
 
 namespace studies_radius_tournament_test {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "../studies/proved/solver_peers.hpp"
-#include "libration/ode/parse.hpp"
+#include "libration/equation/text/parse.hpp"
 #include "studies/study_rows.hpp"
 
 namespace studies_solvers_test {

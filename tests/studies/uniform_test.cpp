@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "libration/pendulum/arc/uniform_resummation.hpp"
-#include "libration/pendulum/solution/exact_solution.hpp"
+#include "libration/pendulum/exact_solution.hpp"
+#include "libration/pendulum/uniform_resummation.hpp"
 #include "pendulum/typed.hpp"
 #include "studies/study_rows.hpp"
 

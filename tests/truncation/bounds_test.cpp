@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "libration/pendulum/arc/bounds.hpp"
+#include "libration/pendulum/bounds.hpp"
 #include "pendulum/typed.hpp"
 #include "truncation/stopped_early.hpp"
 

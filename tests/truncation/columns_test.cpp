@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "libration/pendulum/arc/uniform_resummation.hpp"
-#include "libration/pendulum/solution/separatrix_sum.hpp"
-#include "libration/pendulum/taylor/expansion.hpp"
+#include "libration/pendulum/expansion.hpp"
+#include "libration/pendulum/separatrix_sum.hpp"
+#include "libration/pendulum/uniform_resummation.hpp"
 #include "pendulum/arc/column_sums.hpp"
 #include "pendulum/typed.hpp"
 #include "truncation/stopped_early.hpp"

@@ -2,8 +2,8 @@
 #include <utility>
 #include <vector>
 
-#include "libration/approximant/proved/maximum.hpp"
-#include "libration/pendulum/error/proved/proved_norm.hpp"
+#include "libration/approximant/pade_error.hpp"
+#include "libration/pendulum/proved_norm.hpp"
 #include "truncation/stopped_early.hpp"
 
 namespace truncation_panels_test {

@@ -2,12 +2,12 @@
 #include <optional>
 #include <vector>
 
-#include "libration/digits/proved/proved_decimals.hpp"
-#include "libration/elliptic/proved/real_parameter.hpp"
-#include "libration/pendulum/proved/landen_motion.hpp"
-#include "libration/pendulum/proved/proved_libration.hpp"
-#include "libration/pendulum/solution/separatrix_sum.hpp"
-#include "libration/pendulum/taylor/expansion.hpp"
+#include "libration/digits/proved_decimals.hpp"
+#include "libration/elliptic/real_parameter.hpp"
+#include "libration/pendulum/expansion.hpp"
+#include "libration/pendulum/landen_motion.hpp"
+#include "libration/pendulum/proved_libration.hpp"
+#include "libration/pendulum/separatrix_sum.hpp"
 #include "pendulum/typed.hpp"
 #include "truncation/stopped_early.hpp"
 

@@ -2,11 +2,11 @@
 #include <utility>
 #include <vector>
 
-#include "libration/elliptic/proved/theta_values.hpp"
 #include "libration/elliptic/theta_taylor.hpp"
-#include "libration/pendulum/proved/landen_motion.hpp"
-#include "libration/pendulum/proved/proved_libration.hpp"
-#include "libration/pendulum/solution/exact_solution.hpp"
+#include "libration/elliptic/theta_values.hpp"
+#include "libration/pendulum/exact_solution.hpp"
+#include "libration/pendulum/landen_motion.hpp"
+#include "libration/pendulum/proved_libration.hpp"
 #include "truncation/arb_theta.hpp"
 #include "truncation/stopped_early.hpp"
 

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "libration/scalar/decimal.hpp"
 #include "libration/scalar/error.hpp"
-#include "libration/scalar/text/decimal.hpp"
 #include "libration/series/arithmetic.hpp"
 
 namespace libration {

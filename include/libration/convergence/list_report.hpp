@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "libration/convergence/list/coefficient_floor.hpp"
-#include "libration/convergence/list/coefficient_unit.hpp"
+#include "libration/convergence/coefficient_floor.hpp"
+#include "libration/convergence/coefficient_unit.hpp"
 #include "libration/convergence/radius_report.hpp"
 
 namespace libration::convergence {

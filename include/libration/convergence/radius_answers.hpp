@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "libration/convergence/estimate/radius_estimate.hpp"
-#include "libration/convergence/list/coefficient_pattern.hpp"
+#include "libration/convergence/coefficient_pattern.hpp"
+#include "libration/convergence/radius_estimate.hpp"
+#include "libration/number/exact.hpp"
 #include "libration/scalar/dispatch.hpp"
-#include "libration/scalar/exact.hpp"
 #include "libration/series/power_series.hpp"
 
 namespace libration::convergence {

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "libration/convergence/estimate/exponent_drift.hpp"
-#include "libration/convergence/list/coefficient_growth.hpp"
-#include "libration/convergence/list/coefficient_pattern.hpp"
+#include "libration/convergence/coefficient_growth.hpp"
+#include "libration/convergence/coefficient_pattern.hpp"
+#include "libration/convergence/exponent_drift.hpp"
 #include "libration/convergence/radius_verdict.hpp"
 #include "libration/convergence/test/differential_approximants.hpp"
 #include "libration/convergence/test/domb_sykes.hpp"

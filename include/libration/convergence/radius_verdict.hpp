@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "libration/convergence/list/coefficient_pattern.hpp"
-#include "libration/scalar/text/decimal.hpp"
+#include "libration/convergence/coefficient_pattern.hpp"
+#include "libration/scalar/decimal.hpp"
 
 namespace libration::convergence {
 

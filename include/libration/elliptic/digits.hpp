@@ -4,7 +4,7 @@
 #include <string>
 
 #include "libration/elliptic/given_modulus.hpp"
-#include "libration/scalar/text/printed_number.hpp"
+#include "libration/scalar/printed_number.hpp"
 
 /// Each digit is correct to one unit in the last, by rounding arithmetic: K from one run with an a-priori error bound,
 /// the others from runs that agree.

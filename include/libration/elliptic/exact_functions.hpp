@@ -10,8 +10,8 @@
 
 #include "libration/elliptic/incomplete_integral.hpp"
 #include "libration/elliptic/jacobi.hpp"
+#include "libration/number/exact.hpp"
 #include "libration/scalar/error.hpp"
-#include "libration/scalar/exact.hpp"
 
 namespace libration::elliptic {
 

@@ -31,7 +31,7 @@
 #include <optional>
 #include <string_view>
 
-#include "libration/function/exact.hpp"
+#include "libration/function/exact_values.hpp"
 #include "libration/function/range.hpp"
 #include "libration/scalar/traits.hpp"
 #include "libration/series/kernel.hpp"

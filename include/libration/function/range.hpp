@@ -5,7 +5,8 @@
 
 #include <optional>
 
-#include "libration/scalar/expression.hpp"
+#include "libration/function/function_kind.hpp"
+#include "libration/scalar/plain_number.hpp"
 
 namespace libration::function {
 

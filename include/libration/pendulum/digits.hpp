@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "libration/pendulum/error/arc_method.hpp"
+#include "libration/pendulum/arc_method.hpp"
 #include "libration/pendulum/given_motion.hpp"
-#include "libration/scalar/text/printed_number.hpp"
+#include "libration/scalar/printed_number.hpp"
 
 /// Each digit is correct to one unit in the last, by rounding arithmetic: by one run if its error is bounded in advance
 /// (periods and energies), otherwise by runs that agree.

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "libration/ode/integrator.hpp"
+#include "libration/integration/integrator.hpp"
 #include "libration/scalar/dispatch.hpp"
 #include "libration/scalar/error.hpp"
 

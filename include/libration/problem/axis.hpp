@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "libration/scalar/exact.hpp"
+#include "libration/number/exact.hpp"
 
 namespace libration {
 

@@ -1,4 +1,4 @@
-// The catalogue: problems as text (ode/parse.hpp), each with its sources and defaults, embedded in the library.
+// The catalogue: problems as text (equation/text/parse.hpp), each with its sources and defaults, embedded in the library.
 #pragma once
 
 #include <string>

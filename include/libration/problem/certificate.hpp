@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "libration/ode/explicit_system.hpp"
+#include "libration/equation/explicit_system.hpp"
+#include "libration/number/exact.hpp"
 #include "libration/problem/answer.hpp"
 #include "libration/problem/problem.hpp"
-#include "libration/scalar/exact.hpp"
 
 namespace libration {
 

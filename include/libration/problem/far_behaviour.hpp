@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "libration/ode/equation_system.hpp"
-#include "libration/ode/explicit_system.hpp"
+#include "libration/equation/equation_system.hpp"
+#include "libration/equation/explicit_system.hpp"
 #include "libration/scalar/mpfr.hpp"
 #include "libration/series/power_series.hpp"
 

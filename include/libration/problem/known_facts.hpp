@@ -8,15 +8,15 @@
 #include <string>
 #include <vector>
 
-#include "libration/ode/equation_system.hpp"
+#include "libration/equation/equation_system.hpp"
 #include "libration/problem/far_behaviour.hpp"
-#include "libration/scalar/text/printed_number.hpp"
+#include "libration/scalar/printed_number.hpp"
 
 namespace libration {
 
 class solution;
 
-/// A condition at infinity that determines parameters or initial values, by a lemma (problem/known/proved/).
+/// A condition at infinity that determines parameters or initial values, by a lemma (problem/known/).
 struct condition_at_infinity {
     std::vector<std::string> unknowns;  ///< the unknowns that it determines: k, or u(0) and u'(0)
     std::string of;                     ///< its left side, f'(inf)

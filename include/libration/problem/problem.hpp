@@ -4,13 +4,13 @@
 #include <string>
 #include <utility>
 
-#include "libration/ode/equation_system.hpp"
+#include "libration/equation/equation_system.hpp"
 
 namespace libration {
 
 class problem {
 public:
-    /// The equations of a text (ode/parse.hpp), or of the problem of this name in the catalogue if it contains no =.
+    /// The equations of a text (equation/text/parse.hpp), or of the problem of this name in the catalogue if it contains no =.
     /// Throws error of the subject "problem".
     explicit problem(const std::string& text);
     /// Existing equations.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "libration/convergence/radius_answers.hpp"
-#include "libration/ode/expression.hpp"
+#include "libration/equation/expression.hpp"
 #include "libration/scalar/mpfr.hpp"
 
 namespace libration {
@@ -27,7 +27,7 @@ struct series_request {
     std::vector<ode::complex_constant> corners = {};
 };
 
-/// A point of the complex plane in a text. Throws error of the subject "point". Needs libration::proved.
+/// A point of the complex plane in a text. Throws error of the subject "point".
 ode::complex_constant point_in(const std::string& text);
 
 /// Points of the complex plane, each reached by the corners and then straight.

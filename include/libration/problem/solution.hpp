@@ -1,4 +1,4 @@
-// The solution of a problem as an object: start here to solve an equation. Its implementation needs libration::proved.
+// The solution of a problem as an object: start here to solve an equation.
 //
 //     const auto x = solve(problem("x' = 1 + x^2; x(0) = 0"));
 //     x->states("1/2, 1", proved_digits(30)).at(0, "x");  // tan(1/2)
@@ -11,11 +11,11 @@
 #include <utility>
 #include <vector>
 
-#include "libration/ode/explicit_system.hpp"
+#include "libration/equation/explicit_system.hpp"
+#include "libration/number/exact.hpp"
 #include "libration/problem/answer.hpp"
 #include "libration/problem/problem.hpp"
 #include "libration/problem/series_request.hpp"
-#include "libration/scalar/exact.hpp"
 #include "libration/scalar/mpfr.hpp"
 
 namespace libration {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "libration/ode/explicit_system.hpp"
+#include "libration/equation/explicit_system.hpp"
 #include "libration/problem/series_request.hpp"
 
 namespace libration {

@@ -60,8 +60,11 @@ struct scalar_traits<mpfr> : default_scalar_traits<mpfr> {
     }
 
     /// sum_i x[i x_step] y[i y_step], i < count, in fixed point and rounded once, to the working precision p: the error
-    /// is at most half a unit in the last place and 2^(-p-30) of the largest product. O(count).
+    /// is at most half a unit in the last place and 2^(-p-30) of the largest product. O(count). Compiled once: a program
+    /// of the headers alone adds the products one after the other (inner_product.hpp).
+#ifdef LIBRATION_COMPILED
     static mpfr sum_of_products(const mpfr* x, int x_step, const mpfr* y, int y_step, int count);
+#endif
 
     /// At the precision of the sum, without the two temporaries of the operators: a third of their time at 50 digits.
     static void horner_step(mpfr& sum, const mpfr& x, const mpfr& next) {

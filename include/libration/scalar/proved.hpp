@@ -10,7 +10,6 @@
 namespace libration {
 
 class ball;
-struct exact;
 
 /// A decision (a sign, a branch, a digit) that the available enclosures do not prove: repeat with more digits.
 class precision_exhausted : public error {
@@ -18,9 +17,5 @@ public:
     explicit precision_exhausted(const std::string& what)
         : error(error_kind::undecided, what, "", "is not decided by this many digits") {}
 };
-
-/// The exact number as an enclosure (scalar/ball/ball.hpp).
-template <proved_scalar T>
-T from_exact(const exact& number);
 
 }  // namespace libration

@@ -112,7 +112,7 @@ concept closed_form_scalar = scalar<T> && elementary_functions::has_inverse_and_
     T(n / x);
 };
 
-/// A scalar for integrations without proof (ode/step.hpp): an order, and sizes.
+/// A scalar for integrations without proof (integration/taylor/taylor_march.hpp): an order, and sizes.
 template <class T>
 concept ordered_scalar = scalar<T> && rounding_scalar<T> && elementary_functions::has_size<T> &&
     requires(const T x, int n) {

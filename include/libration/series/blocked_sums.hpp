@@ -9,7 +9,7 @@
 
 namespace libration::series {
 
-/// A fast product of whole sequences, provided by a library (ode/ball/fast_product.hpp has FLINT's).
+/// A fast product of whole sequences, provided by a library (expansion/fast_product.hpp has FLINT's).
 template <ring R>
 class block_product {
 public:

@@ -6,7 +6,7 @@
 
 #include "claims/claim.hpp"
 #include "claims/sampled_arc.hpp"
-#include "libration/pendulum/arc/resummation.hpp"
+#include "libration/pendulum/resummation.hpp"
 
 namespace libration {
 

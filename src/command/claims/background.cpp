@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "claims/judging.hpp"
-#include "libration/pendulum/arc/resummation.hpp"
+#include "libration/pendulum/resummation.hpp"
 
 namespace libration {
 

@@ -4,7 +4,7 @@
 
 #include "claims/claim.hpp"
 #include "claims/judging.hpp"
-#include "libration/pendulum/error/arc_approximations.hpp"
+#include "libration/pendulum/arc_approximations.hpp"
 
 namespace libration {
 

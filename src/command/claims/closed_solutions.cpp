@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "claims/judging.hpp"
-#include "libration/pendulum/solution/critical_formula.hpp"
+#include "libration/pendulum/critical_formula.hpp"
 
 namespace libration {
 

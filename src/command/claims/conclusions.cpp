@@ -5,10 +5,10 @@
 #include "claims/claim.hpp"
 #include "claims/sampled_arc.hpp"
 #include "libration/convergence/radius_report.hpp"
-#include "libration/ode/parse.hpp"
-#include "libration/ode/step.hpp"
-#include "libration/pendulum/arc/periodic_extension.hpp"
-#include "libration/pendulum/taylor/expansion.hpp"
+#include "libration/equation/text/parse.hpp"
+#include "libration/integration/taylor/taylor_march.hpp"
+#include "libration/pendulum/expansion.hpp"
+#include "libration/pendulum/periodic_extension.hpp"
 
 namespace libration {
 

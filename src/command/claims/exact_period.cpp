@@ -4,7 +4,7 @@
 
 #include "claims/judging.hpp"
 #include "libration/elliptic/incomplete_integral.hpp"
-#include "libration/pendulum/solution/exact_solution.hpp"
+#include "libration/pendulum/exact_solution.hpp"
 
 namespace libration {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "claims/judging.hpp"
-#include "libration/pendulum/error/error_norm.hpp"
-#include "libration/pendulum/singularity/singularities.hpp"
+#include "libration/pendulum/error_norm.hpp"
+#include "libration/pendulum/singularities.hpp"
 
 namespace libration {
 

@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "claims/claim.hpp"
-#include "libration/pendulum/numerical/flow.hpp"
-#include "libration/pendulum/taylor/coefficients.hpp"
+#include "libration/pendulum/coefficients.hpp"
+#include "libration/pendulum/flow.hpp"
 #include "libration/series/jet.hpp"
 
 namespace libration::judging {

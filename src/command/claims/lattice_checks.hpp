@@ -6,7 +6,7 @@
 
 #include "claims/judging.hpp"
 #include "libration/convergence/test/pole_pair.hpp"
-#include "libration/pendulum/arc/resummation.hpp"
+#include "libration/pendulum/resummation.hpp"
 
 namespace libration::judging {
 

@@ -6,7 +6,7 @@
 
 #include "claims/claim.hpp"
 #include "claims/sampled_arc.hpp"
-#include "libration/pendulum/numerical/runge_kutta.hpp"
+#include "libration/pendulum/runge_kutta.hpp"
 
 namespace libration {
 

@@ -9,8 +9,8 @@
 #include "libration/approximant/difference_norm.hpp"
 #include "libration/approximant/endpoint_approximant.hpp"
 #include "libration/approximant/truncated_series.hpp"
-#include "libration/pendulum/arc/bounds.hpp"
-#include "libration/pendulum/taylor/expansion.hpp"
+#include "libration/pendulum/bounds.hpp"
+#include "libration/pendulum/expansion.hpp"
 
 namespace libration::judging {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "claims/judging.hpp"
-#include "libration/pendulum/numerical/runge_kutta.hpp"
+#include "libration/pendulum/runge_kutta.hpp"
 #include "libration/series/exponential.hpp"
 
 namespace libration {

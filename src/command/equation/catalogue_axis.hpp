@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "libration/ode/parse.hpp"
+#include "libration/equation/text/parse.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "libration/problem/problem_family.hpp"
 

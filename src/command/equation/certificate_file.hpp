@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "libration/ode/proved/proved_events.hpp"
 #include "libration/problem/certificate.hpp"
+#include "libration/query/proved_events.hpp"
 #include "text/table.hpp"
 
 namespace libration {

@@ -8,7 +8,7 @@
 #include <iterator>
 #include <vector>
 
-#include "libration/scalar/text/near_word.hpp"
+#include "libration/scalar/near_word.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {

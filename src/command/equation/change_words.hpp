@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "libration/ode/equation_system.hpp"
+#include "libration/equation/equation_system.hpp"
 
 namespace libration {
 

@@ -3,9 +3,9 @@
 #include <cctype>
 #include <cstddef>
 
-#include "libration/ode/parse.hpp"
+#include "libration/equation/text/parse.hpp"
+#include "libration/number/grid.hpp"
 #include "libration/scalar/error.hpp"
-#include "libration/scalar/text/grid.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "libration/ode/expression.hpp"
+#include "libration/equation/expression.hpp"
 
 namespace libration {
 

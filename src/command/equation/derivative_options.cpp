@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "libration/scalar/text/list_items.hpp"
+#include "libration/scalar/list_items.hpp"
 
 namespace libration {
 

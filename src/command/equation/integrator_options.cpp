@@ -10,7 +10,7 @@
 #include <mutex>
 #include <utility>
 
-#include "libration/scalar/text/near_word.hpp"
+#include "libration/scalar/near_word.hpp"
 #include "run/ending_signal.hpp"
 
 namespace libration {

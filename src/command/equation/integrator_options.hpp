@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "libration/ode/integrator.hpp"
+#include "libration/integration/integrator.hpp"
 #include "libration/scalar/error.hpp"
 #include "text/input_error.hpp"
 

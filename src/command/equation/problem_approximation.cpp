@@ -7,11 +7,11 @@
 
 #include "equation/approximants_of_unknown.hpp"
 #include "equation/problem_trajectory.hpp"
-#include "libration/digits/proved/printed_values.hpp"
-#include "libration/ode/ball/fast_product.hpp"
-#include "libration/ode/trajectory.hpp"
+#include "libration/digits/printed_values.hpp"
+#include "libration/expansion/fast_product.hpp"
 #include "libration/problem/axis.hpp"
 #include "libration/problem/known_facts.hpp"
+#include "libration/query/trajectory.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "libration/ode/explicit_system.hpp"
+#include "libration/equation/explicit_system.hpp"
 #include "libration/problem/solution.hpp"
 #include "libration/scalar/error.hpp"
 #include "text/input_error.hpp"

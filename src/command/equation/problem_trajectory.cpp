@@ -5,9 +5,9 @@
 #include <iterator>
 #include <utility>
 
-#include "libration/ode/constant_value.hpp"
+#include "libration/equation/constant_value.hpp"
+#include "libration/number/grid.hpp"
 #include "libration/problem/axis.hpp"
-#include "libration/scalar/text/grid.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {
@@ -64,7 +64,7 @@ std::vector<ode::number> constants_of(const std::vector<exact>& times) {
     std::vector<ode::number> at;
     at.reserve(times.size());
     for (const exact& each : times) {
-        at.push_back(as_expression(each));
+        at.push_back(as_exact_real(each));
     }
     return at;
 }

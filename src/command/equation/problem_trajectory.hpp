@@ -8,7 +8,7 @@
 #include "equation/complex_times.hpp"
 #include "equation/problem_options.hpp"
 #include "equation/solution_table.hpp"
-#include "libration/ode/explicit_system.hpp"
+#include "libration/equation/explicit_system.hpp"
 #include "libration/problem/solution.hpp"
 #include "option/options.hpp"
 #include "text/table.hpp"

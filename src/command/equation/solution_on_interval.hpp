@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "libration/ode/step.hpp"
+#include "libration/integration/taylor/taylor_march.hpp"
 
 namespace libration {
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "equation/problem_options.hpp"
+#include "libration/number/exact.hpp"
 #include "libration/problem/solution.hpp"
 #include "libration/scalar/error.hpp"
-#include "libration/scalar/exact.hpp"
 #include "text/table.hpp"
 
 namespace libration {

@@ -7,7 +7,7 @@
 
 #include "equation/change_words.hpp"
 #include "equation/problem_options.hpp"
-#include "libration/ode/parse.hpp"
+#include "libration/equation/text/parse.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "libration/ode/explicit_system.hpp"
+#include "libration/equation/explicit_system.hpp"
 #include "libration/problem/problem_family.hpp"
 
 namespace libration {

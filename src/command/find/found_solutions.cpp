@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "equation/swept_problem.hpp"
-#include "libration/digits/proved/two_proofs.hpp"
-#include "libration/scalar/text/grid.hpp"
+#include "libration/number/grid.hpp"
+#include "libration/number/two_proofs.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "libration/convergence/list/coefficient_list.hpp"
+#include "libration/convergence/coefficient_list.hpp"
 #include "list/json_lines.hpp"
 #include "run/stream_content.hpp"
 #include "text/column_file.hpp"

@@ -8,7 +8,7 @@
 
 #include "equation/answer_table.hpp"
 #include "libration/algebra/polynomial_roots.hpp"
-#include "libration/convergence/list/coefficient_unit.hpp"
+#include "libration/convergence/coefficient_unit.hpp"
 #include "option/options.hpp"
 
 namespace libration {

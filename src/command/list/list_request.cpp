@@ -6,7 +6,7 @@
 #include <cctype>
 #include <filesystem>
 
-#include "libration/scalar/text/grid.hpp"
+#include "libration/number/grid.hpp"
 #include "list/coefficient_file.hpp"
 #include "option/options.hpp"
 #include "text/column_file.hpp"

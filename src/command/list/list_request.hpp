@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "libration/scalar/exact.hpp"
+#include "libration/number/exact.hpp"
 
 namespace libration {
 

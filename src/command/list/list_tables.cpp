@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "libration/approximant/endpoint_approximant.hpp"
-#include "libration/convergence/list/coefficient_unit.hpp"
+#include "libration/convergence/coefficient_unit.hpp"
 #include "libration/convergence/radius_answers.hpp"
 #include "libration/digits/agreed_values.hpp"
 #include "libration/problem/axis.hpp"
 #include "libration/problem/radius_answer.hpp"
-#include "libration/scalar/text/decimal.hpp"
+#include "libration/scalar/decimal.hpp"
 #include "list/coefficient_tables.hpp"
 #include "option/options.hpp"
 

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "equation/problem_trajectory.hpp"
-#include "libration/ode/parse.hpp"
-#include "libration/scalar/text/grid.hpp"
+#include "libration/equation/text/parse.hpp"
+#include "libration/number/grid.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {
@@ -37,7 +37,7 @@ ode::number read_end(const std::string& before) {
     if (end.size() != 1) {
         throw input_error("--before", before, "is a list", "write one time");
     }
-    return as_expression(end.front());
+    return as_exact_real(end.front());
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ void event_options::add_to(CLI::App& command) {
     command
         .add_option("--horizon", horizon_,
                     fmt::format("maximum number of steps without an event (default {}; none with --before)",
-                                ode::event_search::usual_horizon))
+                                ode::zero_search::usual_horizon))
         ->type_name("STEPS");
     command.add_flag("--how-many", how_many_,
                      "with --before: how many events there are, for a set of solutions each possible number");

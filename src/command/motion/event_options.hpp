@@ -7,9 +7,9 @@
 #include <string>
 
 #include "equation/problem_options.hpp"
-#include "libration/ode/proved/proved_events.hpp"
-#include "libration/ode/proved/sets/event_counts.hpp"
-#include "libration/ode/proved/sets/set_events.hpp"
+#include "libration/query/proved_events.hpp"
+#include "libration/query/sets/event_counts.hpp"
+#include "libration/query/sets/set_events.hpp"
 
 namespace libration {
 

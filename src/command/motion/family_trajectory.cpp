@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "equation/problem_trajectory.hpp"
-#include "libration/ode/batch/batch_march.hpp"
-#include "libration/ode/batch/varied_problem.hpp"
+#include "libration/integration/taylor/batch_march.hpp"
+#include "libration/integration/taylor/varied_problem.hpp"
+#include "libration/scalar/decimal.hpp"
 #include "libration/scalar/precision_scope.hpp"
-#include "libration/scalar/text/decimal.hpp"
 #include "run/ending_signal.hpp"
 #include "run/parallel.hpp"
 #include "text/members.hpp"

@@ -6,7 +6,7 @@
 
 #include "equation/problem_options.hpp"
 #include "equation/solution_table.hpp"
-#include "libration/scalar/exact.hpp"
+#include "libration/number/exact.hpp"
 
 namespace libration {
 

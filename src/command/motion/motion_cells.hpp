@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "libration/pendulum/motion/typed_motion.hpp"
+#include "libration/pendulum/typed_motion.hpp"
 #include "motion/motion_options.hpp"
 #include "text/column_names.hpp"
 

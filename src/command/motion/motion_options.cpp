@@ -7,12 +7,12 @@
 #include <mutex>
 #include <stdexcept>
 
-#include "libration/pendulum/energy/energy.hpp"
-#include "libration/pendulum/energy/period.hpp"
-#include "libration/pendulum/time/dimensionless_time.hpp"
+#include "libration/number/grid.hpp"
+#include "libration/pendulum/dimensionless_time.hpp"
+#include "libration/pendulum/energy.hpp"
+#include "libration/pendulum/period.hpp"
 #include "libration/problem/known/pendulum.hpp"
-#include "libration/scalar/text/decimal.hpp"
-#include "libration/scalar/text/grid.hpp"
+#include "libration/scalar/decimal.hpp"
 #include "motion/motion_cells.hpp"
 #include "option/options.hpp"
 #include "run/progress.hpp"

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "libration/pendulum/given_motion.hpp"
-#include "libration/pendulum/motion/motion.hpp"
-#include "libration/pendulum/motion/typed_motion.hpp"
+#include "libration/pendulum/motion.hpp"
+#include "libration/pendulum/typed_motion.hpp"
 #include "libration/scalar/dispatch.hpp"
 
 namespace libration {

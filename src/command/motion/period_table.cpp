@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "libration/digits/proved/printed_values.hpp"
-#include "libration/scalar/text/decimal.hpp"
+#include "libration/digits/printed_values.hpp"
+#include "libration/scalar/decimal.hpp"
 
 namespace libration {
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "libration/pendulum/energy/period.hpp"
+#include "libration/pendulum/period.hpp"
 #include "motion/motion_options.hpp"
 #include "option/options.hpp"
 #include "text/table.hpp"

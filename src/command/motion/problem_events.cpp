@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include "libration/digits/proved/two_proofs.hpp"
-#include "libration/ode/constant_value.hpp"
+#include "libration/equation/constant_value.hpp"
+#include "libration/number/two_proofs.hpp"
 #include "libration/problem/proved_answer.hpp"
 #include "libration/scalar/ball/predicates.hpp"
-#include "libration/scalar/text/decimal.hpp"
+#include "libration/scalar/decimal.hpp"
 #include "run/ending_signal.hpp"
 #include "run/progress.hpp"
 
@@ -32,7 +32,7 @@ public:
     search_progress(const ode::explicit_system& system, const ode::event_request& request)
         : shown_("reference", parts_of_search),
           count_(static_cast<double>(request.count)),
-          horizon_(static_cast<double>(request.horizon.value_or(ode::event_search::usual_horizon))) {
+          horizon_(static_cast<double>(request.horizon.value_or(ode::zero_search::usual_horizon))) {
         const precision_scope scope(20);
         origin_ = ode::constant_value<mpfr>::of(system.point());
         if (request.before && !request.horizon) {

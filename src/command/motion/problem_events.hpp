@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "equation/solution_table.hpp"
-#include "libration/ode/proved/proved_events.hpp"
+#include "libration/query/proved_events.hpp"
 
 namespace libration {
 

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "equation/problem_trajectory.hpp"
+#include "libration/number/grid.hpp"
 #include "libration/problem/axis.hpp"
 #include "libration/scalar/ball/outward_decimals.hpp"
-#include "libration/scalar/text/grid.hpp"
 #include "run/ending_signal.hpp"
 #include "run/progress.hpp"
 #include "text/input_error.hpp"

@@ -10,9 +10,9 @@
 
 #include "equation/problem_options.hpp"
 #include "equation/solution_table.hpp"
-#include "libration/ode/proved/sets/event_counts.hpp"
-#include "libration/ode/proved/sets/set_events.hpp"
-#include "libration/ode/proved/sets/solution_sets.hpp"
+#include "libration/query/sets/event_counts.hpp"
+#include "libration/query/sets/set_events.hpp"
+#include "libration/query/sets/solution_sets.hpp"
 
 namespace libration {
 

@@ -5,13 +5,13 @@
 #include <stdexcept>
 #include <utility>
 
-#include "libration/digits/proved/printed_values.hpp"
-#include "libration/pendulum/arc/periodic_extension.hpp"
-#include "libration/pendulum/arc/uniform_resummation.hpp"
-#include "libration/pendulum/numerical/numerical_solution.hpp"
-#include "libration/pendulum/proved/proved_motion.hpp"
-#include "libration/pendulum/proved/proved_states.hpp"
-#include "libration/pendulum/solution/exact_solution.hpp"
+#include "libration/digits/printed_values.hpp"
+#include "libration/pendulum/exact_solution.hpp"
+#include "libration/pendulum/numerical_solution.hpp"
+#include "libration/pendulum/periodic_extension.hpp"
+#include "libration/pendulum/proved_motion.hpp"
+#include "libration/pendulum/proved_states.hpp"
+#include "libration/pendulum/uniform_resummation.hpp"
 #include "libration/scalar/exponent_range.hpp"
 #include "run/parallel.hpp"
 #include "text/input_error.hpp"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "libration/pendulum/proved/proved_states.hpp"
+#include "libration/pendulum/proved_states.hpp"
 
 namespace libration {
 

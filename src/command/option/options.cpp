@@ -11,8 +11,8 @@
 #include <system_error>
 #include <utility>
 
-#include "libration/scalar/text/decimal.hpp"
-#include "libration/scalar/text/grid.hpp"
+#include "libration/number/grid.hpp"
+#include "libration/scalar/decimal.hpp"
 #include "option/output_place.hpp"
 #include "text/input_error.hpp"
 #include "text/latex.hpp"

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "libration/number/exact.hpp"
 #include "libration/scalar/dispatch.hpp"
-#include "libration/scalar/exact.hpp"
 #include "text/table.hpp"
 
 namespace libration {

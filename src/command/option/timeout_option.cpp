@@ -4,8 +4,8 @@
 #include <string_view>
 #include <utility>
 
+#include "libration/number/number_lexer.hpp"
 #include "libration/scalar/mpfr.hpp"
-#include "libration/scalar/text/number_lexer.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "libration/scalar/text/near_word.hpp"
+#include "libration/scalar/near_word.hpp"
 #include "text/input_error.hpp"
 #include "text/members.hpp"
 

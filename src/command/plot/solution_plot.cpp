@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "equation/problem_trajectory.hpp"
-#include "libration/ode/constant_value.hpp"
-#include "libration/scalar/text/decimal.hpp"
+#include "libration/equation/constant_value.hpp"
+#include "libration/scalar/decimal.hpp"
 #include "text/members.hpp"
 
 namespace libration {

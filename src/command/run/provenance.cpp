@@ -8,7 +8,7 @@
 
 #include "libration/scalar/ball/product_self_test.hpp"
 #include "libration/scalar/quad.hpp"
-#include "libration/scalar/vector/vector_instructions.hpp"
+#include "libration/scalar/vector_instructions.hpp"
 #include "version.hpp"
 
 namespace libration {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "libration/scalar/text/grid.hpp"
+#include "libration/number/grid.hpp"
 
 namespace libration {
 

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "libration/scalar/text/near_word.hpp"
+#include "libration/scalar/near_word.hpp"
 #include "sweep/study_files.hpp"
 #include "text/input_error.hpp"
 #include "text/members.hpp"

@@ -14,7 +14,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "libration/scalar/text/near_word.hpp"
+#include "libration/scalar/near_word.hpp"
 #include "option/options.hpp"
 #include "run/provenance.hpp"
 #include "run/sha256.hpp"

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <thread>
 
-#include "libration/scalar/text/grid.hpp"
+#include "libration/number/grid.hpp"
 #include "option/options.hpp"
 #include "run/whole_grid.hpp"
 #include "text/input_error.hpp"

@@ -1,6 +1,6 @@
 #include "table/complex_argument.hpp"
 
-#include "libration/scalar/text/written_number.hpp"
+#include "libration/number/written_number.hpp"
 
 namespace libration {
 

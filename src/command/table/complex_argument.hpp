@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "libration/elliptic/proved/named_function.hpp"
+#include "libration/elliptic/named_function.hpp"
 
 namespace libration {
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <utility>
 
-#include "libration/scalar/text/written_number.hpp"
+#include "libration/number/written_number.hpp"
 #include "motion/motion_cells.hpp"
 #include "table/elliptic_request.hpp"
 #include "text/csv_records.hpp"

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "libration/scalar/text/grid.hpp"
+#include "libration/number/grid.hpp"
 #include "option/options.hpp"
 #include "table/complex_argument.hpp"
 #include "table/elliptic_columns.hpp"

@@ -5,9 +5,9 @@
 #include <functional>
 
 #include "libration/digits/agreed_values.hpp"
-#include "libration/digits/proved/proved_decimals.hpp"
-#include "libration/elliptic/proved/function_condition.hpp"
-#include "libration/scalar/text/decimal.hpp"
+#include "libration/digits/proved_decimals.hpp"
+#include "libration/elliptic/function_condition.hpp"
+#include "libration/scalar/decimal.hpp"
 
 namespace libration {
 

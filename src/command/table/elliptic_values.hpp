@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "libration/elliptic/proved/named_function.hpp"
+#include "libration/elliptic/named_function.hpp"
 
 namespace libration {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "libration/elliptic/proved/named_function.hpp"
+#include "libration/elliptic/named_function.hpp"
 #include "option/option_words.hpp"
 #include "table/motion_table.hpp"
 #include "text/table.hpp"

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "libration/scalar/text/grid.hpp"
+#include "libration/number/grid.hpp"
 #include "motion/motion_options.hpp"
 #include "text/input_error.hpp"
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "libration/pendulum/motion/typed_motion.hpp"
+#include "libration/pendulum/typed_motion.hpp"
 #include "libration/problem/known/pendulum.hpp"
 #include "option/option_words.hpp"
 

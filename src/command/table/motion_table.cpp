@@ -4,9 +4,9 @@
 #include <map>
 #include <optional>
 
-#include "libration/digits/proved/proved_decimals.hpp"
-#include "libration/pendulum/energy/energy.hpp"
-#include "libration/pendulum/proved/condition.hpp"
+#include "libration/digits/proved_decimals.hpp"
+#include "libration/pendulum/condition.hpp"
+#include "libration/pendulum/energy.hpp"
 #include "motion/typed_times.hpp"
 #include "run/parallel.hpp"
 #include "table/motion_points.hpp"

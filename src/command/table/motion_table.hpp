@@ -2,7 +2,7 @@
 // conditioned they are.
 #pragma once
 
-#include "libration/scalar/exact.hpp"
+#include "libration/number/exact.hpp"
 #include "option/option_words.hpp"
 #include "text/table.hpp"
 

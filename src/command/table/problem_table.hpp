@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "libration/ode/explicit_system.hpp"
+#include "libration/equation/explicit_system.hpp"
 #include "libration/problem/solution.hpp"
 #include "table/motion_table.hpp"
 

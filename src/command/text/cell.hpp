@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "libration/scalar/text/decimal.hpp"
+#include "libration/scalar/decimal.hpp"
 
 namespace libration {
 

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "libration/scalar/exact.hpp"
-#include "libration/scalar/text/decimal.hpp"
+#include "libration/number/exact.hpp"
+#include "libration/scalar/decimal.hpp"
 
 namespace libration {
 

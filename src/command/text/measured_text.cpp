@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "libration/scalar/exact.hpp"
+#include "libration/number/exact.hpp"
 
 namespace libration {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "libration/scalar/text/utf8.hpp"
+#include "libration/scalar/utf8.hpp"
 
 namespace libration {
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "libration/scalar/text/whole_number.hpp"
+#include "libration/scalar/whole_number.hpp"
 #include "motion/point_options.hpp"
 #include "motion/solution_options.hpp"
 #include "option/options.hpp"

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "equation/problem_options.hpp"
-#include "libration/ode/parse.hpp"
+#include "libration/equation/text/parse.hpp"
 #include "libration/problem/catalogue.hpp"
-#include "libration/scalar/text/near_word.hpp"
+#include "libration/scalar/near_word.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
 #include "text/input_error.hpp"

@@ -6,8 +6,8 @@
 
 #include "equation/answer_table.hpp"
 #include "equation/problem_options.hpp"
-#include "libration/ode/constant_value.hpp"
-#include "libration/scalar/text/decimal.hpp"
+#include "libration/equation/constant_value.hpp"
+#include "libration/scalar/decimal.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
 #include "plot/plot_options.hpp"

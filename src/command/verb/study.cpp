@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "equation/problem_options.hpp"
-#include "libration/scalar/text/grid.hpp"
+#include "libration/number/grid.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
 #include "run/progress.hpp"

@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "libration/scalar/error.hpp"
-#include "libration/verify/proved/double_decimals.hpp"
+#include "libration/verification/double_decimals.hpp"
 
 namespace libration {
 

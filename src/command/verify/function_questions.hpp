@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "libration/verify/proved/compare_rules.hpp"
+#include "libration/verification/compare_rules.hpp"
 #include "table/elliptic_columns.hpp"
 #include "verify/row_question.hpp"
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "libration/verify/proved/motion_truths.hpp"
+#include "libration/verification/motion_truths.hpp"
 #include "motion/motion_cells.hpp"
 #include "verify/row_question.hpp"
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "libration/ode/explicit_system.hpp"
-#include "libration/verify/proved/compare_rules.hpp"
-#include "libration/verify/proved/problem_truths.hpp"
+#include "libration/equation/explicit_system.hpp"
+#include "libration/verification/compare_rules.hpp"
+#include "libration/verification/problem_truths.hpp"
 #include "text/column_names.hpp"
 #include "verify/row_question.hpp"
 

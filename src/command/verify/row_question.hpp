@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "libration/verify/proved/row_question.hpp"
+#include "libration/verification/row_question.hpp"
 #include "text/column_names.hpp"
 
 namespace libration {

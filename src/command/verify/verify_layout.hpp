@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "equation/problem_options.hpp"
-#include "libration/verify/proved/compare_rules.hpp"
+#include "libration/verification/compare_rules.hpp"
 #include "motion/motion_options.hpp"
 #include "verify/row_question.hpp"
 

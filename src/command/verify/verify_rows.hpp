@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "libration/verify/proved/compare_rules.hpp"
+#include "libration/verification/compare_rules.hpp"
 #include "text/column_file.hpp"
 #include "text/column_names.hpp"
 #include "verify/row_question.hpp"

@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-#include "libration/scalar/text/decimal.hpp"
+#include "libration/scalar/decimal.hpp"
 #include "text/quotation.hpp"
 
 namespace libration {

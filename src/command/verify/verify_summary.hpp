@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "libration/verify/proved/common_mistake.hpp"
+#include "libration/verification/mistake_hint.hpp"
 #include "verify/verify_rows.hpp"
 
 namespace libration {
@@ -48,7 +48,7 @@ private:
     long undecided_named_ = 0;
     std::optional<compared_row> worst_;
     std::vector<std::string> of_doubles_, inputs_;
-    common_mistake mistake_;
+    mistake_hint mistake_;
     std::map<long, long> digits_;  ///< how many rows have so many correct digits in all values
 };
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "libration/scalar/text/given_number.hpp"
+#include "libration/number/given_number.hpp"
 
 namespace libration::c {
 

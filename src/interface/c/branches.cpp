@@ -4,8 +4,8 @@
 
 #include "answers.hpp"
 #include "find_arguments.hpp"
+#include "libration/number/grid.hpp"
 #include "libration/problem/find.hpp"
-#include "libration/scalar/text/grid.hpp"
 
 namespace libration::c {
 

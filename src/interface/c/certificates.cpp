@@ -7,11 +7,11 @@
 #include "answers.hpp"
 #include "find_arguments.hpp"
 #include "guarded.hpp"
-#include "libration/ode/parse.hpp"
+#include "libration/equation/text/parse.hpp"
+#include "libration/number/given_number.hpp"
 #include "libration/problem/certificate.hpp"
 #include "libration/problem/find.hpp"
 #include "libration/problem/solution.hpp"
-#include "libration/scalar/text/given_number.hpp"
 
 namespace libration::c {
 

@@ -5,10 +5,10 @@
 
 #include "answers.hpp"
 #include "guarded.hpp"
-#include "libration/ode/proved/sets/set_events.hpp"
-#include "libration/ode/proved/sets/solution_sets.hpp"
+#include "libration/number/given_number.hpp"
+#include "libration/query/sets/set_events.hpp"
+#include "libration/query/sets/solution_sets.hpp"
 #include "libration/scalar/ball/outward_decimals.hpp"
-#include "libration/scalar/text/given_number.hpp"
 
 namespace libration::c {
 
@@ -56,7 +56,7 @@ int libration_problem_enclosures(const libration_problem* problem, const char* t
         std::vector<std::pair<exact, exact>> typed;
         for (const std::string& each : items_of(text_of(times, "times"), "times")) {
             typed.push_back(span_of(each));
-            request.spans.push_back({as_expression(typed.back().first), as_expression(typed.back().second)});
+            request.spans.push_back({as_exact_real(typed.back().first), as_exact_real(typed.back().second)});
         }
         const auto found = ode::enclosed_solutions(given(problem, "problem").equations, request,
                                                    [&](const ball&, long) { watched(0); });

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "guarded.hpp"
+#include "libration/number/given_number.hpp"
 #include "libration/problem/answer.hpp"
-#include "libration/scalar/text/given_number.hpp"
 
 namespace libration::c {
 

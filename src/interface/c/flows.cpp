@@ -6,12 +6,12 @@
 #include <span>
 
 #include "guarded.hpp"
-#include "libration/ode/batch/batch_march.hpp"
-#include "libration/ode/batch/varied_problem.hpp"
-#include "libration/ode/step.hpp"
+#include "libration/integration/taylor/batch_march.hpp"
+#include "libration/integration/taylor/taylor_march.hpp"
+#include "libration/integration/taylor/varied_problem.hpp"
 #include "libration/problem/solution.hpp"
+#include "libration/scalar/decimal.hpp"
 #include "libration/scalar/dispatch.hpp"
-#include "libration/scalar/text/decimal.hpp"
 
 namespace libration::c {
 

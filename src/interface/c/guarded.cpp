@@ -5,8 +5,8 @@
 
 #include "libration/digits/memory_need.hpp"
 #include "libration/scalar/ball/quotient.hpp"
+#include "libration/scalar/list_items.hpp"
 #include "libration/scalar/supplied_quotient.hpp"
-#include "libration/scalar/text/list_items.hpp"
 
 namespace libration::c {
 

@@ -10,7 +10,7 @@
 
 #include "libration/problem/known/pendulum_solution.hpp"
 #include "libration/problem/solution.hpp"
-#include "libration/scalar/text/printed_number.hpp"
+#include "libration/scalar/printed_number.hpp"
 
 // The shared library exports what this header declares; everything else is hidden.
 #pragma GCC visibility push(default)

@@ -4,8 +4,8 @@
 
 #include "answers.hpp"
 #include "guarded.hpp"
+#include "libration/number/given_number.hpp"
 #include "libration/problem/known/pendulum_solution.hpp"
-#include "libration/scalar/text/given_number.hpp"
 
 namespace libration::c {
 

@@ -6,10 +6,10 @@
 #include <stdexcept>
 
 #include "guarded.hpp"
-#include "libration/digits/proved/proved_decimals.hpp"
+#include "libration/digits/proved_decimals.hpp"
+#include "libration/number/given_number.hpp"
 #include "libration/scalar/ball/binary_parts.hpp"
-#include "libration/scalar/text/given_number.hpp"
-#include "libration/scalar/text/proved_digits.hpp"
+#include "libration/scalar/proved_digits.hpp"
 
 namespace libration::c {
 

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "guarded.hpp"
+#include "libration/number/given_number.hpp"
 #include "libration/problem/radius_answer.hpp"
 #include "libration/scalar/ball/decimal.hpp"
-#include "libration/scalar/text/given_number.hpp"
-#include "libration/scalar/text/proved_digits.hpp"
+#include "libration/scalar/proved_digits.hpp"
 
 namespace libration::c {
 

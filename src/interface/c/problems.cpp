@@ -5,11 +5,11 @@
 #include "answers.hpp"
 #include "find_arguments.hpp"
 #include "guarded.hpp"
-#include "libration/ode/proved/sets/solution_sets.hpp"
+#include "libration/number/given_number.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "libration/problem/find.hpp"
 #include "libration/problem/solution.hpp"
-#include "libration/scalar/text/given_number.hpp"
+#include "libration/query/sets/solution_sets.hpp"
 #include "problem_tables.hpp"
 
 namespace libration::c {

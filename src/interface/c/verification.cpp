@@ -4,11 +4,11 @@
 #include <functional>
 
 #include "guarded.hpp"
-#include "libration/scalar/text/given_number.hpp"
-#include "libration/scalar/text/written_number.hpp"
-#include "libration/verify/proved/double_decimals.hpp"
-#include "libration/verify/proved/motion_truths.hpp"
-#include "libration/verify/proved/problem_truths.hpp"
+#include "libration/number/given_number.hpp"
+#include "libration/number/written_number.hpp"
+#include "libration/verification/double_decimals.hpp"
+#include "libration/verification/motion_truths.hpp"
+#include "libration/verification/problem_truths.hpp"
 
 namespace libration::c {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "libration/convergence/estimate/root_variable.hpp"
-#include "libration/convergence/list/coefficient_noise.hpp"
+#include "libration/convergence/coefficient_noise.hpp"
 #include "libration/convergence/list_report.hpp"
-#include "libration/scalar/text/decimal.hpp"
+#include "libration/convergence/root_variable.hpp"
+#include "libration/scalar/decimal.hpp"
 
 namespace libration::convergence {
 

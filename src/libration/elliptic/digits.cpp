@@ -3,8 +3,8 @@
 #include "given_parameter.hpp"
 #include "libration/digits/agreed_values.hpp"
 #include "libration/digits/bounded_value.hpp"
-#include "libration/scalar/text/decimal.hpp"
-#include "libration/scalar/text/given_number.hpp"
+#include "libration/number/given_number.hpp"
+#include "libration/scalar/decimal.hpp"
 
 namespace libration::rounded {
 

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "libration/scalar/text/given_number.hpp"
+#include "libration/number/given_number.hpp"
 
 namespace libration::elliptic {
 

@@ -3,13 +3,13 @@
 #include "given_question.hpp"
 #include "libration/digits/agreed_values.hpp"
 #include "libration/digits/bounded_value.hpp"
-#include "libration/pendulum/energy/period.hpp"
-#include "libration/pendulum/error/error_norm.hpp"
-#include "libration/pendulum/solution/exact_solution.hpp"
-#include "libration/pendulum/taylor/point_coefficients.hpp"
+#include "libration/number/given_number.hpp"
+#include "libration/pendulum/error_norm.hpp"
+#include "libration/pendulum/exact_solution.hpp"
+#include "libration/pendulum/period.hpp"
+#include "libration/pendulum/point_coefficients.hpp"
+#include "libration/scalar/decimal.hpp"
 #include "libration/scalar/exponent_range.hpp"
-#include "libration/scalar/text/decimal.hpp"
-#include "libration/scalar/text/given_number.hpp"
 
 namespace libration::rounded {
 

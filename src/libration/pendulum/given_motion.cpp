@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "libration/pendulum/motion/typed_motion.hpp"
+#include "libration/pendulum/typed_motion.hpp"
 #include "libration/scalar/error.hpp"
 
 namespace libration::pendulum {

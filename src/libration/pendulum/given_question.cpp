@@ -1,9 +1,9 @@
 #include "given_question.hpp"
 
-#include "libration/pendulum/taylor/point_coefficients.hpp"
+#include "libration/number/given_number.hpp"
+#include "libration/pendulum/point_coefficients.hpp"
+#include "libration/scalar/decimal.hpp"
 #include "libration/scalar/error.hpp"
-#include "libration/scalar/text/decimal.hpp"
-#include "libration/scalar/text/given_number.hpp"
 
 namespace libration::pendulum {
 

@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "libration/pendulum/error/arc_method.hpp"
+#include "libration/pendulum/arc_method.hpp"
+#include "libration/pendulum/expansion_point.hpp"
 #include "libration/pendulum/given_motion.hpp"
-#include "libration/pendulum/motion/motion.hpp"
-#include "libration/pendulum/solution/expansion_point.hpp"
+#include "libration/pendulum/motion.hpp"
 
 namespace libration::pendulum {
 

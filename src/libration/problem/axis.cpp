@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "libration/scalar/text/decimal.hpp"
+#include "libration/scalar/decimal.hpp"
 
 namespace libration {
 

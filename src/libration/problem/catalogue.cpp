@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "libration/scalar/error.hpp"
-#include "libration/scalar/text/near_word.hpp"
+#include "libration/scalar/near_word.hpp"
 
 namespace libration {
 

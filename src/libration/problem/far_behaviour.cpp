@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "libration/approximant/asymptotic/asymptotic.hpp"
+#include "libration/approximant/asymptotic.hpp"
 #include "libration/series/exponential.hpp"
 
 namespace libration {

@@ -1,6 +1,6 @@
 #include "libration/problem/problem.hpp"
 
-#include "libration/ode/parse.hpp"
+#include "libration/equation/text/parse.hpp"
 #include "libration/problem/catalogue.hpp"
 
 namespace libration {

@@ -2,7 +2,7 @@
 #include <fmt/core.h>
 
 #include "attack/question.hpp"
-#include "libration/ode/proved/problem_coefficients.hpp"
+#include "libration/query/problem_coefficients.hpp"
 #include "libration/scalar/error.hpp"
 
 namespace libration::attack {

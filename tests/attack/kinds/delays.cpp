@@ -5,8 +5,8 @@
 #include <string>
 
 #include "attack/question.hpp"
-#include "libration/ode/delay/proved/delay_events.hpp"
-#include "libration/ode/delay/proved/delay_trajectory.hpp"
+#include "libration/query/delay_events.hpp"
+#include "libration/query/delay_trajectory.hpp"
 #include "libration/scalar/error.hpp"
 
 namespace libration::attack {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "attack/question.hpp"
-#include "libration/ode/hybrid/proved/hybrid_derivatives.hpp"
-#include "libration/ode/proved/flow_derivatives.hpp"
+#include "libration/query/flow_derivatives.hpp"
+#include "libration/query/hybrid_derivatives.hpp"
 
 namespace libration::attack {
 

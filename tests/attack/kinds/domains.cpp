@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "attack/question.hpp"
-#include "libration/ode/proved/proved_trajectory.hpp"
-#include "libration/ode/trajectory.hpp"
-#include "libration/scalar/exact.hpp"
+#include "libration/number/exact.hpp"
+#include "libration/query/states.hpp"
+#include "libration/query/trajectory.hpp"
 
 namespace libration::attack {
 

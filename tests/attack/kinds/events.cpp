@@ -7,7 +7,7 @@
 #include "attack/facts.hpp"
 #include "attack/kinds/event_problems.hpp"
 #include "attack/question.hpp"
-#include "libration/ode/proved/proved_events.hpp"
+#include "libration/query/proved_events.hpp"
 #include "libration/scalar/error.hpp"
 
 namespace libration::attack {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "attack/question.hpp"
-#include "libration/ode/hybrid/proved/hybrid_trajectory.hpp"
+#include "libration/query/hybrid_trajectory.hpp"
 #include "libration/scalar/error.hpp"
 
 namespace libration::attack {

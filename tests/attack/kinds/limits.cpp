@@ -2,7 +2,7 @@
 #include <fmt/core.h>
 
 #include "attack/question.hpp"
-#include "libration/ode/proved/limit_at_equilibrium.hpp"
+#include "libration/query/limit.hpp"
 #include "libration/scalar/error.hpp"
 
 namespace libration::attack {

@@ -2,7 +2,7 @@
 #include <fmt/core.h>
 
 #include "attack/question.hpp"
-#include "libration/ode/proved/proved_trajectory.hpp"
+#include "libration/query/states.hpp"
 #include "libration/scalar/error.hpp"
 
 namespace libration::attack {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "attack/question.hpp"
-#include "libration/ode/proved/sets/event_counts.hpp"
-#include "libration/ode/proved/sets/set_events.hpp"
-#include "libration/ode/proved/sets/solution_sets.hpp"
+#include "libration/query/sets/event_counts.hpp"
+#include "libration/query/sets/set_events.hpp"
+#include "libration/query/sets/solution_sets.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"
 

@@ -2,8 +2,8 @@
 #include <fmt/core.h>
 
 #include "attack/question.hpp"
-#include "libration/ode/proved/proved_trajectory.hpp"
-#include "libration/scalar/exact.hpp"
+#include "libration/number/exact.hpp"
+#include "libration/query/states.hpp"
 
 namespace libration::attack {
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "attack/question.hpp"
-#include "libration/scalar/exact.hpp"
+#include "libration/number/exact.hpp"
 
 namespace libration::attack {
 

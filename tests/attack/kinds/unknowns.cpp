@@ -5,7 +5,7 @@
 
 #include "attack/facts.hpp"
 #include "attack/question.hpp"
-#include "libration/ode/proved/proved_root.hpp"
+#include "libration/query/krawczyk.hpp"
 #include "libration/scalar/error.hpp"
 
 namespace libration::attack {

@@ -5,10 +5,10 @@
 
 #include "attack/facts.hpp"
 #include "attack/question.hpp"
-#include "libration/ode/proved/proved_trajectory.hpp"
+#include "libration/number/exact.hpp"
+#include "libration/query/states.hpp"
+#include "libration/scalar/decimal.hpp"
 #include "libration/scalar/error.hpp"
-#include "libration/scalar/exact.hpp"
-#include "libration/scalar/text/decimal.hpp"
 
 namespace libration::attack {
 
@@ -102,7 +102,7 @@ outcome asked_enclosures(const solved_problem& problem, const rational& since, l
     });
 }
 
-ode::number time_number(const std::string& typed) { return as_expression(read_exact(typed)); }
+ode::number time_number(const std::string& typed) { return as_exact_real(read_exact(typed)); }
 
 outcome ask_value(choices& next) {
     const solved_problem problem = any_problem(next);

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "libration/pendulum/motion/regime.hpp"
+#include "libration/pendulum/regime.hpp"
 #include "libration/scalar/scalar.hpp"
 
 namespace libration::tests {

@@ -1,15 +1,15 @@
 // Boundary layers with a condition at infinity against digits in print.
-#include "libration/problem/known/proved/falkner_skan.hpp"
-#include "libration/problem/known/proved/sakiadis.hpp"
+#include "libration/problem/known/falkner_skan.hpp"
+#include "libration/problem/known/sakiadis_shear.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "libration/digits/proved/proved_decimals.hpp"
-#include "libration/ode/parse.hpp"
+#include "libration/digits/proved_decimals.hpp"
+#include "libration/equation/text/parse.hpp"
 #include "libration/problem/catalogue.hpp"
-#include "libration/problem/known/proved/thomas_fermi.hpp"
 #include "libration/problem/known/shooting.hpp"
+#include "libration/problem/known/thomas_fermi.hpp"
 #include "libration/problem/known_facts.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "libration/ode/parse.hpp"
-#include "libration/problem/known/proved/kepler.hpp"
+#include "libration/equation/text/parse.hpp"
+#include "libration/problem/known/kepler_orbit.hpp"
 #include "libration/problem/solution.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
-#include "libration/scalar/text/decimal.hpp"
+#include "libration/scalar/decimal.hpp"
 
 namespace problem_known_kepler_test {
 

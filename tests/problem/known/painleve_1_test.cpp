@@ -1,16 +1,16 @@
 // The tritronquee solution against digits in print, against itself along other ways, and against its own expansion.
-#include "libration/problem/known/proved/painleve_1.hpp"
+#include "libration/problem/known/painleve_1.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "libration/digits/proved/proved_decimals.hpp"
-#include "libration/ode/parse.hpp"
-#include "libration/ode/proved/proved_march.hpp"
-#include "libration/ode/proved/proved_trajectory.hpp"
-#include "libration/ode/rigorous/error_set.hpp"
-#include "libration/ode/singularity/singularity_map.hpp"
+#include "libration/digits/proved_decimals.hpp"
+#include "libration/equation/text/parse.hpp"
+#include "libration/integration/lohner_set.hpp"
+#include "libration/integration/proved_march.hpp"
+#include "libration/plane/singularity_map.hpp"
 #include "libration/problem/catalogue.hpp"
+#include "libration/query/states.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "proved.hpp"
 

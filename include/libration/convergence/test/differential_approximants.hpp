@@ -7,7 +7,7 @@
 // varying A and B. Fails if singularities are so close together that the degree does not resolve them.
 #pragma once
 
-#include "libration/convergence/estimate/recurrence_estimate.hpp"
+#include "libration/convergence/recurrence_estimate.hpp"
 
 namespace libration::convergence {
 

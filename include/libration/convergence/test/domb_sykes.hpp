@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "libration/convergence/estimate/coefficient_ratios.hpp"
-#include "libration/convergence/estimate/extrapolation.hpp"
+#include "libration/convergence/coefficient_ratios.hpp"
+#include "libration/convergence/extrapolation.hpp"
 #include "libration/convergence/test/three_term_test.hpp"
 
 namespace libration::convergence {

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "libration/convergence/estimate/conjugate_pair.hpp"
-#include "libration/convergence/estimate/extrapolation.hpp"
+#include "libration/convergence/conjugate_pair.hpp"
+#include "libration/convergence/extrapolation.hpp"
 
 namespace libration::convergence {
 

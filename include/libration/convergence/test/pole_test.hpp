@@ -9,7 +9,7 @@
 // error.
 #pragma once
 
-#include "libration/convergence/estimate/recurrence_estimate.hpp"
+#include "libration/convergence/recurrence_estimate.hpp"
 
 namespace libration::convergence {
 

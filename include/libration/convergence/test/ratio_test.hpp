@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "libration/convergence/estimate/settling.hpp"
-#include "libration/convergence/estimate/strided_series.hpp"
+#include "libration/convergence/settling.hpp"
+#include "libration/convergence/strided_series.hpp"
 
 namespace libration::convergence {
 

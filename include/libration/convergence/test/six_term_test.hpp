@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "libration/algebra/linear_system.hpp"
-#include "libration/convergence/estimate/conjugate_pair.hpp"
-#include "libration/convergence/estimate/settling.hpp"
+#include "libration/convergence/conjugate_pair.hpp"
+#include "libration/convergence/settling.hpp"
 
 namespace libration::convergence {
 

@@ -33,7 +33,7 @@ struct acos_function {
     }
     template <class E>
     static E in_others(const E& x) {
-        return E(libration::expression(rational(1, 2), unit::pi)) - asin(x);
+        return E(plain_number{rational(1, 2), unit::pi}) - asin(x);
     }
 };
 

@@ -17,7 +17,7 @@ struct erfc_function {
 
     template <class E>
     static E derivative(const E& x, const E& /*w*/) {
-        return E(-2) / sqrt(E(libration::expression(rational(1), unit::pi))) * exp(-(x * x));
+        return E(-2) / sqrt(E(plain_number{rational(1), unit::pi})) * exp(-(x * x));
     }
 
     static constexpr rounded_function rounded = mpfr_erfc;

@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "libration/ode/explicit_system.hpp"
+#include "libration/equation/explicit_system.hpp"
 
 namespace libration {
 

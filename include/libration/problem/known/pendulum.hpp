@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "libration/pendulum/energy/period.hpp"
+#include "libration/pendulum/period.hpp"
 #include "libration/problem/problem_family.hpp"
 
 namespace libration {

@@ -4,9 +4,9 @@
 #include <memory>
 #include <optional>
 
-#include "libration/ode/equation_system.hpp"
+#include "libration/equation/equation_system.hpp"
 #include "libration/pendulum/given_motion.hpp"
-#include "libration/pendulum/motion/motion.hpp"
+#include "libration/pendulum/motion.hpp"
 #include "libration/problem/solution.hpp"
 
 namespace libration {

@@ -1,7 +1,7 @@
 // The boundary layer of Sakiadis predicted from its coefficients alone.
 #pragma once
 
-#include "libration/ode/equation_system.hpp"
+#include "libration/equation/equation_system.hpp"
 #include "libration/scalar/mpfr.hpp"
 
 namespace libration {

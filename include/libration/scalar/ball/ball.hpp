@@ -10,32 +10,6 @@
 
 #include "libration/scalar/ball/traits.hpp"
 #include "libration/scalar/enclose.hpp"
-#include "libration/scalar/error.hpp"
-#include "libration/scalar/exact.hpp"
-
-namespace libration {
-
-/// An enclosure of the exact number. Throws error for multiples of the period, which is defined only for a motion.
-template <proved_scalar T>
-T from_exact(const exact& number) {
-    switch (number.measure) {
-        case unit::one: return from_rational<T>(number.coefficient);
-        case unit::period:
-            throw error(error_kind::argument, "number", number.text, "is a multiple of a period, not a number");
-        case unit::expression: break;
-        case unit::pi:
-        case unit::degree: return from_rational<T>(number.in_pi()) * pi<T>();
-    }
-    if (number.has_periods()) {
-        throw error(error_kind::argument, "number", number.text, "is a multiple of a period, not a number");
-    }
-    const number_bounds within = number.formula->narrowed(T::working_bits() + 8);
-    T result;
-    arb_set_interval_mpfr(result.handle(), handle(within.lower), handle(within.upper), T::working_bits());
-    return result;
-}
-
-}  // namespace libration
 
 #include "libration/scalar/scalar.hpp"
 

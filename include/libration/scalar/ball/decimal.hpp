@@ -5,9 +5,9 @@
 #include <string>
 
 #include "libration/scalar/ball/ball.hpp"
+#include "libration/scalar/decimal.hpp"
 #include "libration/scalar/error.hpp"
-#include "libration/scalar/text/decimal.hpp"
-#include "libration/scalar/text/printed_number.hpp"
+#include "libration/scalar/printed_number.hpp"
 
 namespace libration {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "libration/scalar/ball/integer_product.hpp"
+#include "libration/scalar/ball/product_guard.hpp"
 
 namespace libration {
 

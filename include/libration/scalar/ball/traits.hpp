@@ -30,6 +30,13 @@ struct scalar_traits<ball> : default_scalar_traits<ball> {
         return result;
     }
 
+    /// The ball of all numbers from lower to upper.
+    static ball from_bounds(const mpfr& lower, const mpfr& upper) {
+        ball result;
+        arb_set_interval_mpfr(result.handle(), handle(lower), handle(upper), ball::working_bits());
+        return result;
+    }
+
     /// The e with |x| < 2^e for the whole ball, within a factor of 2 if the ball is narrow; exponent_of_zero only for
     /// 0. Throws precision_exhausted for an unbounded ball.
     static long binary_exponent(const ball& x) {

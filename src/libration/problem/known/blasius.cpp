@@ -1,11 +1,11 @@
-#include "libration/problem/known/proved/blasius.hpp"
+#include "libration/problem/known/blasius.hpp"
 
 #include "far_start.hpp"
 #include "known_problems.hpp"
-#include "libration/digits/proved/proved_decimals.hpp"
-#include "libration/ode/constant_value.hpp"
-#include "libration/ode/parse.hpp"
-#include "libration/ode/proved/proved_march.hpp"
+#include "libration/digits/proved_decimals.hpp"
+#include "libration/equation/constant_value.hpp"
+#include "libration/equation/text/parse.hpp"
+#include "libration/integration/proved_march.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/proved.hpp"
 

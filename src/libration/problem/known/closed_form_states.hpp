@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "libration/number/exact.hpp"
 #include "libration/problem/answer.hpp"
-#include "libration/scalar/exact.hpp"
 
 namespace libration {
 

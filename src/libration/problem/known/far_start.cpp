@@ -3,10 +3,10 @@
 #include <cstddef>
 #include <utility>
 
-#include "libration/ode/parse.hpp"
-#include "libration/ode/step.hpp"
+#include "libration/equation/text/parse.hpp"
+#include "libration/integration/taylor/taylor_march.hpp"
+#include "libration/scalar/decimal.hpp"
 #include "libration/scalar/error.hpp"
-#include "libration/scalar/text/decimal.hpp"
 
 namespace libration::far {
 

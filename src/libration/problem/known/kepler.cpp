@@ -6,13 +6,13 @@
 #include <memory>
 #include <utility>
 
-#include "../solution/taylor_solution.hpp"
+#include "../taylor_solution.hpp"
 #include "closed_form_states.hpp"
 #include "known_problems.hpp"
-#include "libration/digits/proved/proved_decimals.hpp"
-#include "libration/digits/proved/two_proofs.hpp"
-#include "libration/ode/constant_value.hpp"
-#include "libration/problem/known/proved/kepler.hpp"
+#include "libration/digits/proved_decimals.hpp"
+#include "libration/equation/constant_value.hpp"
+#include "libration/number/two_proofs.hpp"
+#include "libration/problem/known/kepler_orbit.hpp"
 #include "libration/scalar/ball/decimal.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "libration/problem/known/proved/kepler.hpp"
+#include "libration/problem/known/kepler_orbit.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/mpfr.hpp"

@@ -2,8 +2,8 @@
 
 #include <limits>
 
-#include "libration/pendulum/solution/exact_solution.hpp"
-#include "libration/pendulum/taylor/expansion.hpp"
+#include "libration/pendulum/exact_solution.hpp"
+#include "libration/pendulum/expansion.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/exponent_range.hpp"
 

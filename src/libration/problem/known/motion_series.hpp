@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "libration/digits/proved/printed_values.hpp"
-#include "libration/ode/proved/proved_singularity.hpp"
-#include "libration/pendulum/taylor/point_coefficients.hpp"
+#include "libration/digits/printed_values.hpp"
+#include "libration/pendulum/point_coefficients.hpp"
+#include "libration/plane/proved_singularity.hpp"
 #include "libration/problem/answer.hpp"
 #include "libration/problem/series_request.hpp"
 

@@ -1,14 +1,14 @@
-#include "libration/problem/known/proved/painleve_1.hpp"
+#include "libration/problem/known/painleve_1.hpp"
 
 #include <cmath>
 #include <string>
 #include <vector>
 
 #include "known_problems.hpp"
-#include "libration/digits/proved/proved_decimals.hpp"
-#include "libration/ode/explicit_system.hpp"
-#include "libration/ode/parse.hpp"
-#include "libration/ode/proved/proved_march.hpp"
+#include "libration/digits/proved_decimals.hpp"
+#include "libration/equation/explicit_system.hpp"
+#include "libration/equation/text/parse.hpp"
+#include "libration/integration/proved_march.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/proved.hpp"

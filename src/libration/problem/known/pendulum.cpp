@@ -1,6 +1,6 @@
 #include "libration/problem/known/pendulum.hpp"
 #include "libration/scalar/error.hpp"
-#include "libration/scalar/text/whole_number.hpp"
+#include "libration/scalar/whole_number.hpp"
 
 #include <algorithm>
 

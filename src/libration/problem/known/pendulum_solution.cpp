@@ -8,17 +8,17 @@
 #include <utility>
 
 #include "../../pendulum/given_question.hpp"
-#include "../solution/taylor_solution.hpp"
+#include "../taylor_solution.hpp"
 #include "closed_form_states.hpp"
 #include "known_problems.hpp"
-#include "libration/ode/parse.hpp"
-#include "libration/ode/proved/proved_singularity.hpp"
-#include "libration/pendulum/proved/proved_states.hpp"
-#include "libration/pendulum/proved/proved_times.hpp"
-#include "libration/pendulum/sampler/sampler.hpp"
-#include "libration/pendulum/taylor/point_coefficients.hpp"
+#include "libration/equation/text/parse.hpp"
+#include "libration/pendulum/point_coefficients.hpp"
+#include "libration/pendulum/proved_states.hpp"
+#include "libration/pendulum/proved_times.hpp"
+#include "libration/pendulum/sampler.hpp"
+#include "libration/plane/proved_singularity.hpp"
 #include "libration/problem/axis.hpp"
-#include "libration/scalar/text/decimal.hpp"
+#include "libration/scalar/decimal.hpp"
 #include "motion_series.hpp"
 
 namespace libration {

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "libration/ode/explicit_system.hpp"
+#include "libration/equation/explicit_system.hpp"
 #include "libration/problem/known/pendulum_solution.hpp"
 #include "libration/scalar/error.hpp"
 

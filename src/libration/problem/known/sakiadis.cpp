@@ -6,15 +6,15 @@
 
 #include "far_start.hpp"
 #include "known_problems.hpp"
-#include "libration/approximant/asymptotic/exponential_approximant.hpp"
-#include "libration/digits/proved/proved_decimals.hpp"
-#include "libration/ode/parse.hpp"
-#include "libration/ode/taylor_expansion.hpp"
-#include "libration/problem/known/proved/sakiadis.hpp"
+#include "libration/approximant/exponential_approximant.hpp"
+#include "libration/digits/proved_decimals.hpp"
+#include "libration/equation/text/parse.hpp"
+#include "libration/expansion/taylor_expansion.hpp"
+#include "libration/problem/known/sakiadis_shear.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
+#include "libration/scalar/decimal.hpp"
 #include "libration/scalar/error.hpp"
-#include "libration/scalar/text/decimal.hpp"
 #include "shooting.hpp"
 
 namespace libration::ode {

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "libration/ode/explicit_system.hpp"
-#include "libration/ode/proved/proved_march.hpp"
-#include "libration/ode/step.hpp"
+#include "libration/equation/explicit_system.hpp"
+#include "libration/integration/proved_march.hpp"
+#include "libration/integration/taylor/taylor_march.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/proved.hpp"
 

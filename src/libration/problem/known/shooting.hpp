@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "libration/ode/equation_system.hpp"
+#include "libration/equation/equation_system.hpp"
 #include "libration/scalar/ball/ball.hpp"
 
 namespace libration::ode {

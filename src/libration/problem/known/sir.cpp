@@ -1,9 +1,9 @@
-#include "libration/problem/known/proved/sir.hpp"
+#include "libration/problem/known/sir.hpp"
 
 #include "far_start.hpp"
 #include "known_problems.hpp"
-#include "libration/digits/proved/proved_decimals.hpp"
-#include "libration/ode/constant_value.hpp"
+#include "libration/digits/proved_decimals.hpp"
+#include "libration/equation/constant_value.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/proved.hpp"

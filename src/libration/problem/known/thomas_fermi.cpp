@@ -1,12 +1,12 @@
-#include "libration/problem/known/proved/thomas_fermi.hpp"
+#include "libration/problem/known/thomas_fermi.hpp"
 
 #include <optional>
 
 #include "known_problems.hpp"
-#include "libration/digits/proved/proved_decimals.hpp"
-#include "libration/ode/explicit_system.hpp"
-#include "libration/ode/parse.hpp"
-#include "libration/ode/step.hpp"
+#include "libration/digits/proved_decimals.hpp"
+#include "libration/equation/explicit_system.hpp"
+#include "libration/equation/text/parse.hpp"
+#include "libration/integration/taylor/taylor_march.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "shooting.hpp"

@@ -4,8 +4,8 @@
 #include <cstdlib>
 
 #include "exponent_blocks.hpp"
-#include "libration/scalar/ball/integer_product.hpp"
 #include "libration/scalar/ball/predicates.hpp"
+#include "libration/scalar/ball/product_guard.hpp"
 #include "libration/scalar/ball/product_self_test.hpp"
 #include "radius_product.hpp"
 

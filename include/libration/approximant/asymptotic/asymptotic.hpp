@@ -1,9 +1,0 @@
-// Asymptotic approximants: functions whose series at 0 agrees with the given one to its order, and which have the known
-// asymptotic behaviour: there f tends to a constant or a line, decays like a power or exponentially, or has a branch
-// point.
-#pragma once
-
-#include "libration/approximant/asymptotic/branch_approximant.hpp"
-#include "libration/approximant/asymptotic/damped_pade.hpp"
-#include "libration/approximant/asymptotic/exponential_approximant.hpp"
-#include "libration/approximant/asymptotic/power_approximant.hpp"

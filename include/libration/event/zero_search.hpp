@@ -1,0 +1,180 @@
+// Enclosures of the zeros of a function of the solution: theorem E.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "libration/equation/first_order_form.hpp"
+#include "libration/expansion/start_sign.hpp"
+#include "libration/expansion/step_pieces.hpp"
+#include "libration/integration/proved_march.hpp"
+
+namespace libration::ode {
+
+/// A zero of g, isolated in its enclosure, and the unknowns there. `way` is the direction as t increases, independent of
+/// that of the search; `any` if g touches 0 at the initial point.
+struct proved_event {
+    ball time;
+    std::vector<ball> state;
+    crossing way = crossing::any;
+    ball_matrix flow = {};  ///< the derivative of the flow up to that time, if it is kept
+};
+
+/// The reason why a search returns no event.
+enum class search_end {
+    none,
+    time,       ///< no event up to the given end; the next zero is certainly beyond it
+    horizon,    ///< no event within so many steps of the integrator, up to march().reached()
+    precision,  ///< an enclosure is too wide: more bits are needed to continue
+    steps,      ///< the steps of the integrator become too small, as near a singularity
+    undecided   ///< in undecided() this precision does not determine whether g has a zero
+};
+
+/// An interval of times in which g is not distinguished from 0, with |g| <= value and |g'| <= slope there.
+struct undecided_place {
+    ball from, to;
+    magnitude value, slope;
+    /// Whether the search stopped because the step was cut into most_pieces_of_a_step pieces: then more bits do not
+    /// help.
+    bool too_many_pieces = false;
+};
+
+/// The beginning of a search from a set of states at the point of the system.
+struct search_start {
+    std::vector<ball> state;
+    /// A ball that contains the time after which zeros are searched, and no time before the point; the point itself if
+    /// there is none. The solutions are continued back from that time to the point by the equations.
+    std::optional<ball> begins = {};
+    int sign = 1;   ///< of g directly after that time
+    int order = 0;  ///< of the first derivative of g that is not 0 at that time, and has this sign
+};
+
+/// The same from all states of a set, directly after the point of the system.
+struct set_start {
+    state_set states;
+    int sign = 1;                  ///< of g at the point, or of its derivative if g is 0 for all of them
+    bool at_zero = false;          ///< whether it is
+    bool keeps_derivative = true;  ///< proved_march::keep_derivative
+};
+
+/// All zeros of gamma(t) = g(t, y(t)) in the open interval after the initial point, in order: theorem E.
+///
+/// Pieces S of a step are processed in order. Let m be in S, gamma(S) and gamma'(S) = Dg(y) f(y) enclosed on the
+/// enclosure of y.
+///   - gamma(S) or gamma(m) + gamma'(S) (S - m) excludes 0: no zero in S.
+///   - gamma'(S) or gamma'(m) + gamma''(S) (S - m) excludes 0: gamma is monotone on S. If it moves away from 0 from an
+///     end with a known sign there is no zero; otherwise the sign at the other end decides. If that is unknown the
+///     piece remains open, and the pieces after it, monotone in the same direction, are joined to it until a sign is
+///     certain: opposite signs at both ends mean exactly one zero, equal signs none. It lies in m - gamma(m)/gamma'(S)
+///     of one of the joined pieces.
+///   - gamma''(S) excludes 0: gamma turns at most once on S. The point is enclosed by Newton's method for gamma', and
+///     gamma is monotone before and after it, if the signs of gamma' at its ends prove it.
+/// On a step of theorem K gamma'(S) is enclosed by g_t(y) + sum_i g_(y_i)(y) y_i', y_i' from enclosed_step::slopes_at, as
+/// large terms of f cancel along a stiff solution; gamma'' is not used there.
+///   - otherwise S is halved, at 0 and over several orders of magnitude by exponents, so that no scale is favoured. If
+///     the radius of gamma(m) is as large as the variation of gamma on S, halving is useless: `undecided`.
+/// The signs of joined pieces are those of points after the initial point: the sign directly after it is exact
+/// (start_sign.hpp). If gamma and its first k - 1 derivatives vanish at the initial point, gamma^(k) excludes 0 on the
+/// first piece, so that gamma(t) = gamma^(k)(x) (t - t0)^k/k! is nonzero on it except at the initial point.
+class zero_search {
+public:
+    /// g in unknowns, their lower derivatives and the variable of the system. Integrates from the initial point of the
+    /// system with so many bits, in the direction of time (< 0: backwards); `watch` is called after each step. Throws
+    /// error like sign_at_start, and for a singular initial point if g has a zero within the first step, or backwards.
+    zero_search(const explicit_system& system, const expression& g, long bits, int direction = 1,
+                const proof_route& route = {}, march_watch watch = {});
+    /// The same forwards from a set of states. A zero whose time is not certainly after start.begins need not be one of
+    /// the solution.
+    zero_search(const explicit_system& system, const expression& g, const search_start& start, long bits,
+                const proof_route& route = {}, march_watch watch = {});
+
+    /// The same in the direction of time (< 0: backwards) from a set of any width: an event is one of every solution, in
+    /// the enclosures of its time and state.
+    zero_search(const explicit_system& system, const expression& g, const set_start& start, long bits, int direction,
+                const proof_route& route = {}, march_watch watch = {});
+
+    /// The same along the steps of a solution that satisfies the equations of the system only near its initial point,
+    /// forwards. The steps enclose the values and slopes of the leaves of the system and must outlive this object.
+    zero_search(const explicit_system& system, const expression& g, enclosed_steps& steps, march_watch watch = {});
+
+    /// Maximum number of pieces of one step of a search.
+    static constexpr long most_pieces_of_a_step = 4'000;
+    /// Maximum number of steps without an event in a search without an end.
+    static constexpr long usual_horizon = 5'000;
+
+    /// The initial point as an event if g is exactly 0 there; std::nullopt otherwise.
+    std::optional<proved_event> at_start() const;
+    /// The next zero that is crossed in this direction and is not certainly beyond `end`; std::nullopt for the reason
+    /// end(). The horizon applies without an end, or if it is given; a search that reached it, or an earlier end,
+    /// continues when called again, with the same direction.
+    std::optional<proved_event> next(crossing way, const std::optional<number>& end,
+                                     const std::optional<long>& horizon = std::nullopt);
+
+    /// The integrator; not of given steps.
+    const proved_march& march() const { return *own_; }
+    const enclosed_steps& steps() const { return march_; }
+    search_end end() const { return end_; }
+    const undecided_place& undecided() const { return *undecided_; }
+
+private:
+    struct sample {
+        ball value;
+        ball slope;
+        std::vector<ball> state;
+    };
+    enum class finding { no_zero, monotone, open, undecided };
+    struct verdict {
+        finding kind;
+        int sign;  // of g, or of its derivative
+    };
+
+    void begin_at(const number& point);
+    void require_no_event_before_first_step(const ball& start);
+    // Rounded outwards; the bounds of a step are still valid, since they are those of the distance itself.
+    ball span_of(const step_piece& p) const { return hull(p.from, p.to) * direction_; }
+    sample sampled(const ball& distance) const;
+    const expression& curvature();
+    expression_values<ball> values_at(const ball& distance) const;
+    ball of_state(const expression& e, const ball& distance) const { return values_at(distance).of(e); }
+    ball slope_at(const ball& distance, expression_values<ball>& values) const;
+    int sign_at(const ball& distance) const;
+    bool covers_beginning(const step_piece& p) const;
+    bool is_start(const step_piece& p) const { return start_.order > 0 && march_.steps() == 0 && p.at_0(); }
+    bool begin_step(const std::optional<ball>& end, long last_step);
+    verdict judged(step_piece& p);
+    verdict judged_at_start(const step_piece& p);
+    verdict undecided_on(const step_piece& p, const sample& all);
+    std::optional<proved_event> examined(step_piece p);
+    std::optional<proved_event> with_sign(int sign);
+    std::optional<proved_event> passed(const step_piece& p, int slope);
+    std::optional<proved_event> joined();
+    void add_part(step_piece p);
+    bool narrowed_by_signs(step_piece& p) const;
+    void split(const step_piece& p);
+    bool split_at_turn(const step_piece& p);
+
+    first_order_form form_;
+    expression g_, slope_;
+    std::vector<expression> gradient_;     // the derivatives of g with respect to the leaves, and to the variable
+    std::optional<expression> curvature_;  // computed on demand
+    std::unique_ptr<proved_march> own_;
+    enclosed_steps& march_;
+    long digits_;
+    int direction_;
+    march_watch watch_;
+    start_sign start_;
+    std::optional<ball> after_;            // the end of the ball in which a search from a set begins
+    int sign_ = 1;                         // of g when it was last certain
+    bool open_ = false;                    // g has been monotone towards 0 since then
+    std::vector<proved_event> parts_;      // and the possible locations of its zero on these pieces
+    std::vector<step_piece> pieces_;       // of the current step, the next one last
+    long examined_ = 0;                    // number of halved pieces
+    const enclosed_step* step_ = nullptr;  // that is being examined
+    bool has_own_slopes_ = false;          // enclosed_step::slopes_at
+    std::optional<proved_event> beyond_;   // found behind the end of a search
+    search_end end_ = search_end::none;
+    std::optional<undecided_place> undecided_;
+};
+
+}  // namespace libration::ode

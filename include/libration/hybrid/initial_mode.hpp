@@ -1,0 +1,54 @@
+// The values of the step functions at the beginning of a branch: theorem H, "Step functions".
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "libration/equation/hybrid_system.hpp"
+
+namespace libration::ode {
+
+class branch_beginning;
+
+/// Why the values of step functions at the beginning of a branch are not known.
+enum class mode_failure {
+    undecided,  ///< it is not decided what one of them is
+    sliding,    ///< on both sides of its surface the solutions lead back to it
+    several     ///< solutions leave the surface on both sides
+};
+
+/// The values of all step functions directly after the beginning of a branch, or the first that is not decided.
+struct initial_mode {
+    std::optional<step_values> values = {};
+    /// The signs that are 0 along the branch and on which its right-hand side depends there: the relation as written, or
+    /// sign(0) = 0, decides.
+    std::vector<std::size_t> by_relation = {};
+    mode_failure failure = mode_failure::undecided;
+    std::size_t step = 0;
+
+    /// "slides along the surface of `sign(x)`: ...", for messages.
+    std::string reason(const hybrid_system& system) const;
+};
+
+/// The function that decides all of them, at the initial point and after each event. A step function whose argument
+/// does not contain steps that are not yet found has the value
+/// (1) of its argument, if that is a number;
+/// (2) of its argument at (t*, a), if that is proved not to be 0 (an integer, for a floor);
+/// (3) of the strict sign that the derivative of order k of its argument has at (t*, a) along the branches of all lists
+///     of values that are possible there, if the derivatives of lower orders are 0 there and, where its argument u is 0,
+///     the same on all of these branches;
+/// (4) 0, if in (3) a derivative is 0 wherever u is, on all of these branches, and no other argument contains this step:
+///     u is 0 along the solution.
+/// Theorem H proves that the branch with these values contains the only solution. `before` are the values on the
+/// branch before an event, for arguments of which it is known that they are not 0 at the event: those that neither the
+/// event nor a resulting change of step functions changes. Each value is then verified on the branch that is entered.
+initial_mode mode_after(const branch_beginning& beginning, const std::optional<step_values>& before = std::nullopt,
+                        const std::vector<std::size_t>& crossed = {});
+
+/// Those at the initial point. Throws error of the kind undecided if they are not known.
+initial_mode mode_at_start(const hybrid_system& system);
+inline step_values values_at_start(const hybrid_system& system) { return *mode_at_start(system).values; }
+
+}  // namespace libration::ode

@@ -1,0 +1,54 @@
+// Linear systems with constant coefficients, by the exponential of their matrix.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "libration/equation/explicit_system.hpp"
+#include "libration/scalar/ball/magnitude.hpp"
+#include "libration/scalar/ball/value.hpp"
+
+namespace libration::ode {
+
+/// y' = A y + b with constant A and b, y the unknowns with their lower derivatives in the order of names_of_state:
+///     (y(t), 1) = exp((t - t0) [A b; 0 0]) (y(t0), 1),
+/// without the last row and column for b = 0. For every t, stiff or not, the cost is that of some dozens of products of
+/// matrices [Arb, arb_mat_exp: scaling and squaring in balls]; if A has few entries and the largest row sum of
+/// |A (t - t0)| is moderate, that of some dozens of products of A and a vector instead, by the Taylor series of y
+/// (docs/theorems/equations.md).
+class linear_flow {
+public:
+    /// std::nullopt unless the equations have this form by exact arithmetic, at a regular initial point.
+    static std::optional<linear_flow> of(const explicit_system& system);
+
+    /// The state at a time; each unknown is an exact 0 or has about as many bits, relative to itself. std::nullopt if
+    /// that requires many times the precision, as for an unknown that decays to nothing while others do not, one
+    /// that is 0 for a reason that balls do not show, or if a value is beyond 2^(2^30).
+    std::optional<std::vector<ball>> at(const number& time, long bits) const;
+
+private:
+    // A nonzero entry of a row.
+    struct entry {
+        std::size_t column;
+        number value;
+    };
+
+    explicit linear_flow(const explicit_system& system) : point_(system.point()) {}
+    bool read(const explicit_system& system);
+    ball elapsed(const number& time) const;
+    magnitude largest_row_sum(const number& time, long bits) const;
+    std::vector<ball> rounded_state(const number& time, long bits) const;
+    std::vector<ball> by_exponential(const number& time, long bits) const;
+    std::optional<std::vector<ball>> by_series(const number& time, long bits) const;
+    std::vector<ball> product(const std::vector<std::vector<ball>>& entries, const std::vector<ball>& x) const;
+    std::vector<bool> changing(const std::vector<ball>& first_term) const;
+    bool prefers_series(const magnitude& rho, long bits) const;
+    bool is_homogeneous() const;
+
+    number point_;
+    std::vector<number> starts_, constants_;
+    std::vector<std::vector<entry>> rows_;  ///< of A
+};
+
+}  // namespace libration::ode

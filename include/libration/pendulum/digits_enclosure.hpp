@@ -1,0 +1,41 @@
+// Proved digits of a pendulum's motion, to any requested number: start here. No working precision has to be chosen.
+#pragma once
+
+#include <string>
+
+#include "libration/pendulum/arc_method.hpp"
+#include "libration/pendulum/given_motion.hpp"
+#include "libration/scalar/printed_number.hpp"
+
+/// Each digit is proved: the exact number is less than one unit of the last digit away.
+/// Times are exact as written, "1e12", "3/2", "T/4" for a fraction of the period, and like all results in the units of
+/// the motion: sqrt(l/g), or seconds if it has a length and a gravity. Each
+/// throws error: of the kind argument, with the quantity and its value, for an invalid motion, time or order; of the
+/// kind undecided if no precision within the limits yields the digits.
+namespace libration::proved {
+
+/// The angle, not reduced to one turn, and the angular velocity.
+proved_decimal theta(const pendulum::given_motion& motion, const std::string& time, long digits);
+proved_decimal omega(const pendulum::given_motion& motion, const std::string& time, long digits);
+
+/// The period T (for rotation the time of one turn) and the effective period T*, from the top to the bottom [paper
+/// (T), (Tstar)]; inf at E = 2.
+proved_decimal period(const pendulum::given_motion& motion, long digits);
+proved_decimal effective_period(const pendulum::given_motion& motion, long digits);
+
+/// E, and 2 - E, the distance from the separatrix.
+proved_decimal energy(const pendulum::given_motion& motion, long digits);
+proved_decimal gap(const pendulum::given_motion& motion, long digits);
+
+/// The coefficient of the power n of the Taylor series of theta about a point: "top", "bottom", "start" or a time.
+proved_decimal coefficient(const pendulum::given_motion& motion, const std::string& point, long n, long digits);
+
+/// The radius of convergence of the Taylor series of theta about a point: "top", "bottom", "start" or a time [paper
+/// (librationROC), (rotationROCgood)]; inf at rest.
+proved_decimal radius(const pendulum::given_motion& motion, const std::string& point, long digits);
+
+/// max |theta - approximation| on [0, T*] from the top, in radians, of the series or its resummation of order N [paper
+/// fig:error]; for a motion whose energy is rational and neither 0 nor 2.
+proved_decimal error_norm(const pendulum::given_motion& motion, pendulum::arc_method method, int order, long digits);
+
+}  // namespace libration::proved

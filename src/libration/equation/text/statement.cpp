@@ -1,0 +1,351 @@
+#include "statement.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+#include "character.hpp"
+#include "libration/equation/text/parse.hpp"
+#include "libration/number/number_lexer.hpp"
+#include "libration/scalar/error.hpp"
+#include "libration/scalar/utf8.hpp"
+
+namespace libration::ode {
+
+namespace {
+
+bool begins_name(const character& c) {
+    return c.kind == character_kind::letter ||
+           (c.kind == character_kind::ascii && std::isalpha(static_cast<unsigned char>(c.source.front())) != 0);
+}
+
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+bool goes_on_name(const character& c) {
+    return begins_name(c) || c.kind == character_kind::subscript || c.source == "_" || is_digit(c.source.front());
+}
+
+// Reads the text from left to right.
+class reader {
+public:
+    explicit reader(std::string_view text) : rest_(text) {}
+
+    std::vector<statement> read() {
+        while (!rest_.empty()) {
+            const character c = first_character(rest_);
+            if (c.source == "#") {
+                advance(std::min(rest_.find('\n'), rest_.size()));
+            } else if (c.source == ";" || c.source == "\n" || ends_at_comma()) {
+                end_statement();
+                advance(1);
+            } else if (c.source == " " || c.source == "\t" || c.source == "\r" || c.kind == character_kind::blank) {
+                advance(c.source.size());
+                touches_ = false;
+            } else if (c.kind == character_kind::superscript) {
+                read_superscript();
+            } else {
+                words_.push_back(word(c));
+                open_ += change_of_depth(words_.back());
+                touches_ = true;
+            }
+        }
+        end_statement();
+        return std::move(all_);
+    }
+
+private:
+    void advance(std::size_t bytes) {
+        const std::string_view passed = rest_.substr(0, bytes);
+        if (passed == "\n") {
+            at_ = {at_.line + 1, 1};
+        } else {
+            at_.column += static_cast<int>(characters_in(passed));
+        }
+        rest_.remove_prefix(bytes);
+    }
+
+    void end_statement() {
+        if (!words_.empty()) {
+            all_.push_back(std::move(words_));
+            words_.clear();
+        }
+        open_ = 0;
+        touches_ = false;
+    }
+
+    token begun() const {
+        token made;
+        made.at = at_;
+        made.touches = touches_;
+        return made;
+    }
+
+    // Completes a token with the next bytes of the text as its source.
+    void finish(token& made, std::size_t bytes) {
+        made.source = rest_.substr(0, bytes);
+        if (made.kind != token_kind::name) {
+            made.text = made.source;
+        }
+        advance(bytes);
+    }
+
+    token word(const character& c) {
+        token made = begun();
+        if (begins_name(c)) {
+            const std::size_t bytes = read_name(made);
+            finish(made, bytes);
+        } else if (c.kind == character_kind::word) {
+            made.kind = token_kind::name;
+            made.text = c.ascii;
+            finish(made, c.source.size());
+        } else if (is_digit(c.source.front()) || c.source == ".") {
+            finish(made, read_number(made));
+        } else {
+            finish(made, read_symbol(made, c));
+        }
+        return made;
+    }
+
+    std::size_t read_name(token& made) const {
+        made.kind = token_kind::name;
+        std::string_view tail = rest_;
+        for (; !tail.empty() && goes_on_name(first_character(tail));
+             tail.remove_prefix(first_character(tail).source.size())) {
+            made.text += first_character(tail).ascii;
+        }
+        const std::size_t named = rest_.size() - tail.size();
+        while (!tail.empty() && (tail.front() == '\'' || first_character(tail).kind == character_kind::prime)) {
+            const character prime = first_character(tail);
+            made.primes += static_cast<int>(prime.ascii.size());
+            tail.remove_prefix(prime.source.size());
+        }
+        if (made.text.size() + static_cast<std::size_t>(made.primes) > longest_name) {
+            refuse(std::string(rest_.substr(0, named)), at_,
+                   "has more than " + std::to_string(longest_name) + " characters, including primes: choose another");
+        }
+        return rest_.size() - tail.size();
+    }
+
+    std::size_t read_number(token& made) const {
+        std::string_view tail = rest_;
+        try {
+            const auto number = take_number(tail);
+            if (!number) {
+                refuse(".", at_, "is not a number: write digits");
+            }
+            made.kind = token_kind::numeral;
+            made.value = number->value();
+        } catch (const error& problem) {
+            if (problem.subject() != "number") {
+                throw;
+            }
+            refuse(std::string(rest_.substr(0, 20)), at_, problem.reason() + ": choose another number");
+        }
+        return rest_.size() - tail.size();
+    }
+
+    // Of x²⁻¹ it is not known whether the exponents are added or multiplied.
+    void require_one_exponent() const {
+        if (words_.empty() || !words_.back().raised) {
+            return;
+        }
+        const auto last = std::ranges::find_if(words_.rbegin(), words_.rend(),
+                                               [](const token& word) { return word.raised && word.symbol == '^'; });
+        std::string_view tail = rest_;
+        while (!tail.empty() && first_character(tail).kind == character_kind::superscript) {
+            tail.remove_prefix(first_character(tail).source.size());
+        }
+        refuse({last->source.data(), tail.data()}, last->at,
+               "has a second exponent behind a superscript: write one in parentheses, as in x^(2-1)");
+    }
+
+    // x² and x⁻¹ as x^2 and x^-1.
+    void read_superscript() {
+        require_one_exponent();
+        token power = begun();
+        power.symbol = '^';
+        power.raised = true;
+        power.source = rest_.substr(0, 0);
+        power.touches = true;
+        words_.push_back(power);
+        const character first = first_character(rest_);
+        if (!is_digit(first.ascii.front())) {
+            token sign = power;
+            sign.symbol = first.ascii.front();
+            finish(sign, first.source.size());
+            words_.push_back(sign);
+        }
+        token exponent = begun();
+        exponent.kind = token_kind::numeral;
+        exponent.raised = true;
+        std::string digits;
+        std::string_view tail = rest_;
+        while (!tail.empty() && first_character(tail).kind == character_kind::superscript &&
+               is_digit(first_character(tail).ascii.front())) {
+            digits += first_character(tail).ascii;
+            tail.remove_prefix(first_character(tail).source.size());
+        }
+        std::string_view unread = digits;
+        const auto number = take_number(unread);
+        if (!number) {
+            refuse(std::string(first.source), power.at, "is not an exponent: write digits, as in x^2");
+        }
+        exponent.value = number->value();
+        finish(exponent, rest_.size() - tail.size());
+        words_.push_back(exponent);
+        touches_ = true;
+    }
+
+    // A comma outside parentheses separates statements; inside, the arguments of a function or the ends of an interval.
+    bool ends_at_comma() const {
+        if (rest_.front() != ',' || open_ > 0) {
+            return false;
+        }
+        const bool in_number = touches_ && !words_.empty() && words_.back().kind == token_kind::numeral &&
+                               rest_.size() > 1 && is_digit(rest_[1]);
+        if (in_number) {
+            std::string_view tail = rest_.substr(1);
+            const std::string digits(tail.substr(0, tail.find_first_not_of("0123456789")));
+            const std::string before(words_.back().source);
+            refuse(before + "," + digits, words_.back().at,
+                   "is ambiguous: write " + before + "." + digits +
+                       " for a decimal, or a blank after a comma between "
+                       "statements");
+        }
+        return true;
+    }
+
+    std::size_t read_symbol(token& made, const character& c) const {
+        if (rest_.starts_with("**")) {
+            made.symbol = '^';
+            return 2;
+        }
+        if (rest_.starts_with("<=") || rest_.starts_with(">=")) {
+            made.symbol = c.source.front();
+            made.or_equal = true;
+            return 2;
+        }
+        if (const std::size_t bytes = bytes_of_interval_sign(c)) {
+            made.symbol = interval_sign;
+            return bytes;
+        }
+        if (c.kind == character_kind::symbol || (c.kind == character_kind::ascii && is_allowed(c.source.front()))) {
+            made.symbol = c.ascii.front();
+            made.or_equal = c.kind == character_kind::symbol && (made.symbol == '<' || made.symbol == '>');
+            return c.source.size();
+        }
+        refuse_symbol(c);
+    }
+
+    static bool is_allowed(char c) { return std::string_view("()[]+-*/^=,:<>").find(c) != std::string_view::npos; }
+
+    // Of +- and -+, also of other characters for a minus; 0 if the text does not begin with one.
+    std::size_t bytes_of_interval_sign(const character& c) const {
+        if (const auto sign = interval_sign_at(rest_)) {
+            return sign->size();
+        }
+        if ((c.ascii == "+" || c.ascii == "-") && rest_.size() > c.source.size()) {
+            const character next = first_character(rest_.substr(c.source.size()));
+            if ((next.ascii == "+" || next.ascii == "-") && next.ascii != c.ascii &&
+                next.kind != character_kind::superscript) {
+                return c.source.size() + next.source.size();
+            }
+        }
+        return 0;
+    }
+
+    [[noreturn]] void refuse_symbol(const character& c) const {
+        const std::string shown = is_printable(c.source) ? std::string(c.source) : "\\?";
+        if (c.kind == character_kind::prime || c.source == "'") {
+            refuse(shown, at_, "does not follow a name: write primes directly after an unknown, as f''");
+        }
+        switch (c.source.front()) {
+            case '{': refuse(shown, at_, "is not a parenthesis here: write (");
+            default: refuse(shown, at_, "is not allowed in a problem: write names, numbers, + - * / ^ ( ) = and ;");
+        }
+    }
+
+    std::string_view rest_;
+    place at_{1, 1};
+    bool touches_ = false;
+    long open_ = 0;  // parentheses and brackets of the statement
+    statement words_;
+    std::vector<statement> all_;
+};
+
+// The last characters of a text, with "..." for those before.
+std::string end_of(std::string_view text) {
+    constexpr std::size_t shown = 60;
+    std::string_view rest = text;
+    for (std::size_t left_out = std::max(characters_in(text), shown) - shown; left_out > 0; --left_out) {
+        rest.remove_prefix(first_character(rest).source.size());
+    }
+    return (rest.size() < text.size() ? "..." : "") + std::string(rest);
+}
+
+}  // namespace
+
+std::vector<statement> statements_of(std::string_view text) {
+    if (text.size() > longest_problem) {
+        refuse("", {}, "is longer than " + std::to_string(longest_problem) + " characters: write less");
+    }
+    return reader(text).read();
+}
+
+std::string text_of(const statement& words, std::size_t first, std::size_t last) {
+    if (first >= last) {
+        return "";
+    }
+    const std::string_view from = words[first].source;
+    const std::string_view end = words[last - 1].source;
+    return {from.data(), end.data() + end.size()};
+}
+
+std::string whole(const statement& words) { return text_of(words, 0, words.size()); }
+
+std::string corrected(const statement& words, std::size_t first, std::size_t last, const std::string& by) {
+    const auto end_of_token = [&](std::size_t i) { return words[i].source.data() + words[i].source.size(); };
+    const char* const from = first < last ? words[first].source.data() : end_of_token(first - 1);
+    const char* const to = first < last ? end_of_token(last - 1) : words[first].source.data();
+    return end_of({words.front().source.data(), from}) + by + beginning_of({to, end_of_token(words.size() - 1)});
+}
+
+bool is_symbol(const token& word, char c) { return word.kind == token_kind::symbol && word.symbol == c; }
+
+bool symbol_at(const statement& words, std::size_t index, char c) {
+    return index < words.size() && is_symbol(words[index], c);
+}
+
+std::size_t equals_of(const statement& words) {
+    const auto is_equals = [](const token& word) { return is_symbol(word, '='); };
+    const auto comparison =
+        std::ranges::find_if(words, [](const token& word) { return is_symbol(word, '<') || is_symbol(word, '>'); });
+    if (comparison != words.end() && std::ranges::none_of(words, is_equals)) {
+        refuse(std::string(comparison->source), comparison->at, "is not an equation: write =");
+    }
+    const auto found = std::ranges::find_if(words, is_equals);
+    if (found == words.end()) {
+        refuse(whole(words), words.front().at, "is not an equation: write one with =");
+    }
+    if (std::ranges::count_if(words, is_equals) > 1) {
+        refuse(whole(words), words.front().at, "has more than one =: write separate statements");
+    }
+    const auto place = static_cast<std::size_t>(found - words.begin());
+    if (place == 0 || place + 1 == words.size()) {
+        refuse(whole(words), found->at, "has nothing on one side of =: write both sides");
+    }
+    return place;
+}
+
+bool is_keyword(const statement& words, std::string_view name) {
+    return words.size() > 1 && words[0].kind == token_kind::name && words[0].primes == 0 && words[0].text == name &&
+           words[1].kind != token_kind::symbol;
+}
+
+bool is_invariant(const statement& words) {
+    const bool named =
+        words.size() > 1 && words[0].kind == token_kind::name && words[0].primes == 0 && words[0].text == "invariant";
+    return named && std::ranges::none_of(words, [](const token& word) { return is_symbol(word, '='); });
+}
+
+}  // namespace libration::ode

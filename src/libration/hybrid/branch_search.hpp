@@ -1,0 +1,95 @@
+// The first crossing of one of several surfaces by a branch of a hybrid solution.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "branch_beginning.hpp"
+#include "libration/equation/hybrid_system.hpp"
+#include "libration/event/zero_search.hpp"
+#include "libration/hybrid/hybrid_path.hpp"
+
+namespace libration::ode {
+
+/// A surface with the crossings that matter, and the beginning of their search; without one, from the exact initial
+/// values of the system.
+struct watched_surface {
+    surface of;
+    crossing way = crossing::any;
+    std::optional<search_start> start = {};
+};
+
+/// A surface that is crossed.
+struct crossed_surface {
+    surface of;
+    crossing way = crossing::up;
+};
+
+/// A crossing: an event, or a time that is known exactly, at which several surfaces may be crossed.
+struct found_crossing {
+    std::vector<std::size_t> surfaces;
+    std::vector<crossed_surface> crossed;
+    std::optional<proved_event> event = {};
+    std::optional<number> exactly = {};
+};
+
+/// Surfaces at known times are compared as exact numbers; each other one has an event search of its own, all of which
+/// advance together, so that none goes far beyond the first crossing. A crossing is the first one if its enclosure is
+/// separated from the others. Functions of the variable alone that are exactly 0 at a common time are crossed together:
+/// each has only one zero in its enclosure.
+class branch_search {
+public:
+    /// The system must outlive this object. Zeros are searched after `begins`.
+    branch_search(const explicit_system& system, std::vector<watched_surface> surfaces, const ball& begins, long bits,
+                  const proof_route& route, const march_watch& watch);
+
+    /// The first crossing that is not certainly beyond `end`; std::nullopt for the reason end(). Without an end it is
+    /// searched for so many steps of the integrator.
+    std::optional<found_crossing> next(const std::optional<number>& end, long horizon);
+    /// Continues the search for a surface behind the crossing that was found.
+    void resume(std::size_t surface);
+
+    path_end end() const { return end_; }
+    /// What is not decided, or where the steps become too small.
+    const std::string& reason() const { return reason_; }
+    /// Where the search ended without a decision, the time up to which no surface is crossed.
+    bool has_reached() const { return reached_.has_value(); }
+    const ball& reached() const { return *reached_; }
+
+private:
+    struct watched {
+        watched_surface of;
+        std::unique_ptr<zero_search> search = {};
+        std::optional<proved_event> found = {};
+        bool over = false;               // no crossing before the end
+        bool passed = false;             // the known time, which is the only zero
+        std::optional<ball> limit = {};  // the search ended there
+        long steps = 0;
+        path_end why = path_end::none;
+        std::string reason = {};
+    };
+
+    std::optional<std::size_t> first_known_time(const std::optional<number>& end);
+    bool advance(watched& each, const std::optional<number>& end, long steps, long horizon);
+    void read_end(watched& each, bool has_end, long horizon);
+    std::optional<found_crossing> first_of(const std::optional<std::size_t>& known);
+    std::optional<found_crossing> crossing_at(std::size_t first, const ball& time);
+    std::optional<number> common_time(const std::vector<std::size_t>& surfaces) const;
+    static bool is_zero_at(const watched& each, const number& time);
+    void reach(const ball& time);
+    std::nullopt_t ended(path_end why, const std::string& reason);
+
+    const explicit_system& system_;
+    std::vector<watched> watched_;
+    ball begins_;
+    long bits_;
+    const proof_route& route_;
+    const march_watch& watch_;
+    path_end end_ = path_end::none;
+    std::string reason_;
+    std::optional<ball> reached_;
+};
+
+}  // namespace libration::ode

@@ -1,0 +1,300 @@
+#include "libration/integration/closed_form/linear_flow.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "libration/equation/constant_value.hpp"
+#include "libration/equation/defined_zero.hpp"
+#include "libration/scalar/ball/predicates.hpp"
+#include "libration/scalar/ball/traits.hpp"
+#include "libration/scalar/error.hpp"
+
+#if __has_include(<flint/arb_mat.h>)
+#include <flint/arb_mat.h>
+#else
+#include <arb_mat.h>
+#endif
+
+namespace libration::ode {
+
+namespace {
+
+constexpr long guard_bits = 32;
+// The largest |log2| of a value, far inside the range of every printed number.
+constexpr long most_exponent = 1L << 30;
+// The largest precision in multiples of that of the state.
+constexpr long most_times_bits = 16;
+
+std::optional<number> constant_of(const expression& e) {
+    return e.kind() == node_kind::constant ? std::optional(e.constant()) : std::nullopt;
+}
+
+// The value where all unknowns are 0; std::nullopt also if division by 0 leaves none.
+std::optional<number> value_at_zero(const expression& e) {
+    try {
+        return constant_of(replaced(e, [](const expression& leaf) {
+            return leaf.kind() == node_kind::unknown ? std::optional(expression(0)) : std::nullopt;
+        }));
+    } catch (const error&) {
+        return std::nullopt;
+    }
+}
+
+bool is_zero(const number& x) { return x.fraction() == rational(0); }
+
+// An exact 0, or a number of usual size with so many bits.
+bool is_precise(const ball& x, long bits) {
+    const auto* middle = arb_midref(x.handle());
+    return arb_is_zero(x.handle()) != 0 ||
+           (arb_rel_accuracy_bits(x.handle()) >= bits && arf_cmpabs_2exp_si(middle, most_exponent) < 0 &&
+            arf_cmpabs_2exp_si(middle, -most_exponent) > 0);
+}
+
+// log2(e), rounded up.
+constexpr double bits_per_e_fold = 1.45;
+
+magnitude largest_of(const std::vector<ball>& values) {
+    magnitude result;
+    for (const ball& each : values) {
+        result = std::max(result, magnitude(each));
+    }
+    return result;
+}
+
+// A bound on the sum of the terms after term k, by its largest entry and the norm rho: infinity for rho >= k + 1.
+magnitude sum_of_rest(const magnitude& term, const magnitude& rho, unsigned long k) {
+    const magnitude q = rho / (k + 1);
+    return term.is_zero() ? term : term * q / magnitude::difference_below(magnitude(1U), q);
+}
+
+// A matrix of balls, freed at the end.
+class arb_matrix {
+public:
+    arb_matrix(std::size_t rows, std::size_t columns) {
+        arb_mat_init(matrix_, static_cast<slong>(rows), static_cast<slong>(columns));
+    }
+    arb_matrix(const arb_matrix&) = delete;
+    arb_matrix& operator=(const arb_matrix&) = delete;
+    ~arb_matrix() { arb_mat_clear(matrix_); }
+
+    arb_mat_struct* handle() { return matrix_; }
+    arb_ptr at(std::size_t i, std::size_t j) {
+        return arb_mat_entry(matrix_, static_cast<slong>(i), static_cast<slong>(j));
+    }
+
+private:
+    arb_mat_t matrix_;
+};
+
+}  // namespace
+
+std::optional<linear_flow> linear_flow::of(const explicit_system& system) {
+    linear_flow result(system);
+    return !system.singular() && result.read(system) ? std::optional(std::move(result)) : std::nullopt;
+}
+
+bool linear_flow::read(const explicit_system& system) {
+    std::map<std::pair<std::string, int>, std::size_t> columns;
+    for (std::size_t i = 0; i < system.unknowns().size(); ++i) {
+        for (int j = 0; j < system.unknowns()[i].order; ++j) {
+            columns.emplace(std::pair(system.unknowns()[i].name, j), starts_.size());
+            starts_.push_back(system.starts()[i][static_cast<std::size_t>(j)]);
+        }
+    }
+    for (std::size_t i = 0; i < system.unknowns().size(); ++i) {
+        for (int j = 1; j < system.unknowns()[i].order; ++j) {
+            rows_.push_back({{rows_.size() + 1, number(rational(1))}});
+            constants_.emplace_back(rational(0));
+        }
+        const expression& right = system.right()[i];
+        if (!parts_lost({right}, {}, {}).empty()) {
+            return false;  // folding may have removed them, as in x (1 - t)/(1 - t), but they end the solution
+        }
+        std::set<std::pair<std::string, int>> occurring;
+        each_leaf(right, [&](const expression& leaf) {
+            if (leaf.kind() == node_kind::unknown) {
+                occurring.emplace(leaf.name(), leaf.derivative());
+            }
+        });
+        auto& row = rows_.emplace_back();
+        for (const auto& [name, derivative] : occurring) {
+            const auto value = constant_of(partial(right, unknown(name, derivative)));
+            if (!value) {
+                return false;
+            }
+            if (!is_zero(*value)) {
+                row.push_back({columns.at({name, derivative}), *value});
+            }
+        }
+        const auto rest = value_at_zero(right);
+        if (!rest) {
+            return false;
+        }
+        constants_.push_back(*rest);
+    }
+    return true;
+}
+
+bool linear_flow::is_homogeneous() const { return std::ranges::all_of(constants_, is_zero); }
+
+// Since the initial time.
+ball linear_flow::elapsed(const number& time) const { return constant_value<ball>::of(time - point_); }
+
+// In the precision of `bits`, which is not that of the result.
+std::vector<ball> linear_flow::rounded_state(const number& time, long bits) const {
+    auto by_products = by_series(time, bits);
+    return by_products ? std::move(*by_products) : by_exponential(time, bits);
+}
+
+std::vector<ball> linear_flow::by_exponential(const number& time, long bits) const {
+    const precision_scope scope(decimal_digits(bits));
+    const std::size_t n = rows_.size();
+    const std::size_t size = is_homogeneous() ? n : n + 1;
+    arb_matrix matrix(size, size);
+    arb_matrix state(size, 1);
+    for (std::size_t i = 0; i < n; ++i) {
+        for (const entry& each : rows_[i]) {
+            arb_set(matrix.at(i, each.column), constant_value<ball>::of(each.value).handle());
+        }
+        arb_set(state.at(i, 0), constant_value<ball>::of(starts_[i]).handle());
+    }
+    if (size > n) {
+        for (std::size_t i = 0; i < n; ++i) {
+            arb_set(matrix.at(i, n), constant_value<ball>::of(constants_[i]).handle());
+        }
+        arb_one(state.at(n, 0));
+    }
+    const ball gone = elapsed(time);
+    arb_mat_scalar_mul_arb(matrix.handle(), matrix.handle(), gone.handle(), bits);
+    arb_mat_exp(matrix.handle(), matrix.handle(), bits);
+    arb_mat_mul(state.handle(), matrix.handle(), state.handle(), bits);
+    std::vector<ball> result(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        arb_swap(result[i].handle(), state.at(i, 0));
+    }
+    return result;
+}
+
+// Of the absolute values of s A, s = t - t0.
+magnitude linear_flow::largest_row_sum(const number& time, long bits) const {
+    const precision_scope scope(decimal_digits(bits));
+    const ball gone = elapsed(time);
+    magnitude largest;
+    for (const auto& row : rows_) {
+        magnitude sum;
+        for (const entry& each : row) {
+            sum += magnitude(constant_value<ball>::of(each.value) * gone);
+        }
+        largest = std::max(largest, sum);
+    }
+    return largest;
+}
+
+// y(t) = y(t0) + T_1 + T_2 + ... with T_1 = s (A y(t0) + b), T_(k+1) = s A T_k/(k + 1), s = t - t0. With rho, the
+// largest row sum of |s A|, and q = rho/(k + 1) < 1, the terms after T_k have at most q/(1 - q) times the largest
+// entry of T_k as their sum. The radii grow like exp(rho), so that there are as many more bits. std::nullopt where the
+// products of matrices are estimated to cost less.
+std::optional<std::vector<ball>> linear_flow::by_series(const number& time, long bits) const {
+    const magnitude rho = largest_row_sum(time, bits);
+    if (!prefers_series(rho, bits)) {
+        return std::nullopt;
+    }
+    const long working = bits + static_cast<long>(rho.above() * bits_per_e_fold) + 8;
+    const precision_scope scope(decimal_digits(working));
+    const ball gone = elapsed(time);
+    std::vector<std::vector<ball>> entries;
+    std::vector<ball> state;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        state.push_back(constant_value<ball>::of(starts_[i]));
+        auto& of_row = entries.emplace_back();
+        for (const entry& each : rows_[i]) {
+            of_row.push_back(constant_value<ball>::of(each.value) * gone);
+        }
+    }
+    std::vector<ball> term = product(entries, state);
+    for (std::size_t i = 0; i < term.size(); ++i) {
+        term[i] += constant_value<ball>::of(constants_[i]) * gone;
+    }
+    const magnitude negligible = std::max(largest_of(state), largest_of(term)).shifted(-bits);
+    const std::vector<bool> moving = changing(term);
+    for (unsigned long k = 1;; ++k) {
+        for (std::size_t i = 0; i < state.size(); ++i) {
+            state[i] += term[i];
+        }
+        const magnitude rest = sum_of_rest(largest_of(term), rho, k);
+        if (rest <= negligible) {
+            for (std::size_t i = 0; i < state.size(); ++i) {
+                if (moving[i]) {
+                    arb_add_error_mag(state[i].handle(), rest.handle());
+                }
+            }
+            return state;
+        }
+        term = product(entries, term);
+        for (ball& each : term) {
+            each /= static_cast<long>(k + 1);
+        }
+    }
+}
+
+// By the numbers of products of balls, those of the series weighted by its longer numbers: at most 2 terms a bit and 4
+// rho, and some eight products of matrices.
+bool linear_flow::prefers_series(const magnitude& rho, long bits) const {
+    std::size_t entries = 0;
+    for (const auto& row : rows_) {
+        entries += row.size();
+    }
+    const double norm = rho.above();
+    const double weight = 1 + bits_per_e_fold * norm / static_cast<double>(bits);
+    const double terms = 2 * static_cast<double>(bits) + 4 * norm;
+    return terms * weight * static_cast<double>(entries) <= 8 * std::pow(static_cast<double>(rows_.size()), 3);
+}
+
+// `entries` are those of rows_, times s.
+std::vector<ball> linear_flow::product(const std::vector<std::vector<ball>>& entries,
+                                       const std::vector<ball>& x) const {
+    const slong bits = ball::working_bits();
+    std::vector<ball> result(rows_.size());
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        for (std::size_t j = 0; j < rows_[i].size(); ++j) {
+            arb_addmul(result[i].handle(), entries[i][j].handle(), x[rows_[i][j].column].handle(), bits);
+        }
+    }
+    return result;
+}
+
+// The unknowns that are not exactly 0 in every term.
+std::vector<bool> linear_flow::changing(const std::vector<ball>& first_term) const {
+    std::vector<bool> result;
+    result.reserve(first_term.size());
+    for (const ball& each : first_term) {
+        result.push_back(arb_is_zero(each.handle()) == 0);
+    }
+    for (bool more = true; more;) {
+        more = false;
+        for (std::size_t i = 0; i < rows_.size(); ++i) {
+            if (!result[i] && std::ranges::any_of(rows_[i], [&](const entry& each) { return result[each.column]; })) {
+                result[i] = true;
+                more = true;
+            }
+        }
+    }
+    return result;
+}
+
+std::optional<std::vector<ball>> linear_flow::at(const number& time, long bits) const {
+    for (long precision = bits + guard_bits; precision <= most_times_bits * (bits + guard_bits); precision *= 2) {
+        std::vector<ball> state = rounded_state(time, precision);
+        const bool precise = std::ranges::all_of(state, [&](const ball& each) { return is_precise(each, bits); });
+        if (precise) {
+            return state;
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace libration::ode

@@ -1,0 +1,18 @@
+// Texts of certificates with the progress of the run that is going on.
+#pragma once
+
+#include <string>
+
+#include "libration/problem/answer.hpp"
+#include "libration/query/certificate/certificate.hpp"
+
+namespace libration {
+
+/// ode::certificate_of, with the part of the way to the time that is farthest as progress.
+std::string text_of_certificate(const ode::explicit_system& system, const ode::certified_statement& statement,
+                                const rational& farthest, long digits, const request& how);
+
+/// The content of the file.
+std::string compressed_certificate(const std::string& text);
+
+}  // namespace libration

@@ -1,0 +1,224 @@
+#include "libration/problem/find.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <stdexcept>
+
+#include "libration/equation/text/parse.hpp"
+#include "libration/number/two_proofs.hpp"
+#include "libration/problem/known_facts.hpp"
+#include "libration/problem/proved_answer.hpp"
+#include "libration/query/krawczyk.hpp"
+#include "libration/query/shooting/solution_branch.hpp"
+
+namespace libration {
+
+namespace {
+
+struct found_values {
+    std::vector<std::string> names;
+    std::vector<proved_decimal> values;
+};
+
+// Reports the progress of each integration.
+ode::march_watch watch_of(const request& how) {
+    return [&how](const ball& reached, long bits) {
+        if (how.reached) {
+            how.reached(midpoint_of(reached).convert_to<double>(), bits);
+        }
+    };
+}
+
+// An error about the problem becomes one about the conditions or the unknowns, which caused it.
+template <class Work>
+auto about(const char* subject, const Work& work) {
+    try {
+        return work();
+    } catch (const error& problem) {
+        if (problem.kind() != error_kind::argument || problem.subject() != "problem") {
+            throw;
+        }
+        throw error(problem.kind(), subject, problem.value(), problem.reason());
+    }
+}
+
+// find(digits, route) once, or twice with a comparison.
+template <class Find>
+answer found_by(const request& how, const Find& find) {
+    const auto checked = checked_products(how.check);
+    const found_values found = find(how.printed_digits(), ode::proof_route{});
+    if (how.check) {
+        const found_values second =
+            find(how.printed_digits() + ode::more_digits_of_second_proof, ode::proof_route::second());
+        for (std::size_t i = 0; i < found.names.size(); ++i) {
+            require_agreement(found.values[i], second.values[i], found.names[i]);
+        }
+    }
+    answer result{.names = {"name", "value"}, .rows = {}, .rigour = "proved"};
+    for (std::size_t i = 0; i < found.names.size(); ++i) {
+        result.rows.push_back({text_value(found.names[i]), {found.values[i].text, found.values[i].uncertainty}});
+    }
+    return result;
+}
+
+found_values found_for_infinity(const problem& of, const std::vector<std::string>& unknowns,
+                                const std::string& condition, long digits) {
+    return {unknowns,
+            about("conditions", [&] { return proved_for_infinity(of.equations(), unknowns, condition, digits); })};
+}
+
+void require_distinct(const std::vector<std::string>& unknowns) {
+    for (auto each = unknowns.begin(); each != unknowns.end(); ++each) {
+        if (std::find(unknowns.begin(), each, *each) != each) {
+            throw error(error_kind::argument, "unknowns", *each, "is given twice: give it once");
+        }
+    }
+}
+
+ode::conditions_at_times read_conditions(const problem& of, const std::vector<std::string>& conditions) {
+    ode::conditions_at_times all;
+    for (const std::string& each : conditions) {
+        about("conditions", [&] { ode::add_condition(all, of.equations(), each); });
+    }
+    return all;
+}
+
+void require_as_many(const std::vector<std::string>& conditions, const std::vector<std::string>& unknowns) {
+    if (conditions.size() != unknowns.size()) {
+        throw error(error_kind::argument, "number of conditions", std::to_string(conditions.size()),
+                    "is not that of the unknowns, " + std::to_string(unknowns.size()));
+    }
+}
+
+std::string name_of_point(ode::branch_point_kind kind) {
+    switch (kind) {
+        case ode::branch_point_kind::solution: return "solution";
+        case ode::branch_point_kind::turning_point: return "turning point";
+    }
+    throw std::logic_error("a kind of point without a name");
+}
+
+std::string reason_of_end(ode::branch_end end, const std::string& where) {
+    switch (end) {
+        case ode::branch_end::left: return "leaves the range at " + where;
+        case ode::branch_end::closed: return "is closed: it returns to its first point";
+        case ode::branch_end::no_more: return "is followed up to " + where + ", without a point in the last steps";
+        case ode::branch_end::not_continued: return "cannot be continued beyond " + where;
+    }
+    throw std::logic_error("an end without a reason");
+}
+
+std::optional<error> reason_of_missing(const ode::branch_result& result) {
+    if (!result.unproved.empty()) {
+        return error(error_kind::undecided, "branch", "",
+                     "has points that are not proved, " + std::to_string(result.unproved.size()) + "; the first is " +
+                         result.unproved.front());
+    }
+    if (result.end == ode::branch_end::not_continued) {
+        return error(error_kind::undecided, "branch", "", reason_of_end(result.end, result.where));
+    }
+    return std::nullopt;
+}
+
+answer branch_by(const ode::branch_question& question, const request& how, const ode::proof_route& route) {
+    answer result{.names = {"point", question.parameter}, .rows = {}, .rigour = "proved"};
+    result.names.insert(result.names.end(), question.unknowns.begin(), question.unknowns.end());
+    const auto add = [&](const ode::branch_point& point) {
+        auto& row = result.rows.emplace_back();
+        row.push_back(text_value(name_of_point(point.kind)));
+        std::ranges::transform(point.values, std::back_inserter(row), value_in_answer);
+        if (how.progress) {
+            how.progress(0);  // the number of points is not known
+        }
+    };
+    try {
+        const auto branch = ode::follow_branch(question, add, route, watch_of(how));
+        result.notes.push_back({"end", reason_of_end(branch.end, branch.where)});
+        result.missing = reason_of_missing(branch);
+    } catch (const error& problem) {
+        if (problem.kind() != error_kind::undecided || result.rows.empty()) {
+            throw;
+        }
+        result.missing = problem;
+    }
+    return result;
+}
+
+// Throws std::runtime_error if the points of two proofs disagree.
+void require_same_points(const answer& first, const answer& second) {
+    if (first.rows.size() != second.rows.size()) {
+        throw std::runtime_error(
+            "the two proofs disagree on the number of points: " + std::to_string(first.rows.size()) +
+            " by the first, " + std::to_string(second.rows.size()) + " by the second");
+    }
+    for (std::size_t i = 0; i < first.rows.size(); ++i) {
+        for (std::size_t k = 1; k < first.names.size(); ++k) {
+            const auto enclosure = [](const answer_value& x) {
+                return proved_decimal{x.text.empty() ? "0" : x.text, x.bound};
+            };
+            require_agreement(enclosure(first.rows[i][k]), enclosure(second.rows[i][k]), first.names[k]);
+        }
+    }
+}
+
+}  // namespace
+
+answer find_branch(const problem& of, const std::vector<std::string>& unknowns,
+                   const std::vector<std::string>& conditions, const branch_values& along, const request& how) {
+    auto names = unknowns;
+    names.push_back(along.parameter);
+    require_distinct(names);
+    require_as_many(conditions, unknowns);
+    if (!along.values.empty()) {
+        about("along", [&] { return ode::changed(of.equations(), along.parameter + " = " + along.values.front()); });
+    }
+    ode::branch_question question{of.equations(),  unknowns,     read_conditions(of, conditions),
+                                  along.parameter, along.values, how.printed_digits()};
+    const auto checked = checked_products(how.check);
+    answer found = about("unknowns", [&] { return branch_by(question, how, {}); });
+    if (how.check && !found.missing) {
+        question.digits += ode::more_digits_of_second_proof;
+        require_same_points(found, branch_by(question, how, ode::proof_route::second()));
+    }
+    return found;
+}
+
+answer find_unknowns(const problem& of, const std::vector<std::string>& unknowns,
+                     const std::vector<std::string>& conditions, const request& how) {
+    require_distinct(unknowns);
+    const auto at_infinity = std::ranges::find_if(conditions, is_at_infinity);
+    if (at_infinity != conditions.end()) {
+        if (conditions.size() > 1) {
+            throw error(error_kind::argument, "condition", *at_infinity,
+                        "is at infinity, which is decided alone: give it without the others");
+        }
+        if (how.check) {
+            throw error(error_kind::argument, "check", "",
+                        "compares two proofs, and a condition at infinity has only one, by a lemma");
+        }
+        return found_by(how, [&](long digits, const ode::proof_route& /*route*/) {
+            return found_for_infinity(of, unknowns, conditions.front(), digits);
+        });
+    }
+    require_as_many(conditions, unknowns);
+    const auto read = read_conditions(of, conditions);
+    return found_by(how, [&](long digits, const ode::proof_route& route) {
+        return found_values{unknowns, about("unknowns", [&] {
+                                return ode::proved_unknowns(of.equations(), unknowns, read, digits, route,
+                                                            watch_of(how));
+                            })};
+    });
+}
+
+answer find_periodic_orbit(const problem& of, const request& how) {
+    const ode::explicit_system system(of.equations());
+    return found_by(how, [&](long digits, const ode::proof_route& route) {
+        auto orbit = ode::proved_periodic_orbit(system, digits, route, watch_of(how));
+        orbit.names.emplace_back("period");
+        orbit.start.push_back(orbit.period);
+        return found_values{orbit.names, orbit.start};
+    });
+}
+
+}  // namespace libration

@@ -1,0 +1,273 @@
+#include "libration/query/krawczyk.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "../equation/needed_bits.hpp"
+#include "libration/integration/lohner_set.hpp"
+#include "libration/scalar/ball/decimal.hpp"
+#include "libration/scalar/ball/functions.hpp"
+#include "libration/scalar/ball/predicates.hpp"
+#include "libration/scalar/error.hpp"
+
+#if __has_include(<flint/arb_mat.h>)
+#include <flint/arb_mat.h>
+#else
+#include <arb_mat.h>
+#endif
+
+namespace libration::ode {
+
+std::optional<ball_matrix> inverse_near(const ball_matrix& a) {
+    const auto size = static_cast<slong>(a.size());
+    arb_mat_t from;
+    arb_mat_t to;
+    arb_mat_init(from, size, size);
+    arb_mat_init(to, size, size);
+    for (slong i = 0; i < size; ++i) {
+        for (slong j = 0; j < size; ++j) {
+            const ball& entry = a[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+            arf_set(arb_midref(arb_mat_entry(from, i, j)), arb_midref(entry.handle()));
+        }
+    }
+    const bool regular = arb_mat_inv(to, from, ball::working_bits()) != 0;
+    ball_matrix result(a.size());
+    for (slong i = 0; i < size && regular; ++i) {
+        for (slong j = 0; j < size; ++j) {
+            ball entry;
+            arf_set(arb_midref(entry.handle()), arb_midref(arb_mat_entry(to, i, j)));
+            result[static_cast<std::size_t>(i)].push_back(entry);
+        }
+    }
+    arb_mat_clear(from);
+    arb_mat_clear(to);
+    return regular ? std::optional(result) : std::nullopt;
+}
+
+namespace {
+
+constexpr long first_root_bits = 160;
+constexpr int most_root_steps = 60;
+constexpr int most_boxes = 6;
+constexpr int most_proofs = 12;
+// The maximum number of proofs that fail for another reason than too few digits, each with half as many bits more: the
+// derivative has the same low precision in all of them.
+constexpr int most_failed_proofs = 5;
+
+constexpr long digits_of_iterate = 10;
+constexpr long digits_of_residual = 3;
+
+std::string rounded_text(const ball& x, long digits) {
+    const precision_scope scope(digits + 20);
+    return is_finite(x) ? to_decimal(midpoint_of(x), digits) : "not finite";
+}
+
+std::vector<ball> times(const ball_matrix& a, const std::vector<ball>& x) {
+    std::vector<ball> result;
+    for (const auto& row : a) {
+        ball sum(0);
+        for (std::size_t j = 0; j < x.size(); ++j) {
+            sum += row[j] * x[j];
+        }
+        result.push_back(sum);
+    }
+    return result;
+}
+
+constexpr const char* better_guess = "try a better initial guess";
+
+// Unknowns that are not distinguished from 0.
+enum class zero_values {
+    undecided,  // end the proof
+    bounded     // are bounded by 10^-digits
+};
+
+class root_search {
+public:
+    root_search(const map_of_unknowns& f, const std::vector<number>& guess, long digits,
+                const std::vector<std::string>& names, zero_values zeros)
+        : f_(f), digits_(digits), names_(names), zeros_(zeros), bits_(digits) {
+        const precision_scope scope(decimal_digits(first_root_bits));
+        for (const number& each : guess) {
+            x_.push_back(exact_midpoint(constant_value<ball>::of(each)));
+        }
+    }
+
+    std::vector<known_value> result() {
+        long bits = first_root_bits;
+        settle(bits);
+        int failed = 0;
+        for (int proof = 0; proof < most_proofs; ++proof) {
+            while (bits < bits_.now()) {
+                bits = std::min(bits * 2, bits_.now());
+                improve(bits);
+            }
+            if (auto decimals = proved(bits)) {
+                return *std::move(decimals);
+            }
+            if (bits_.now() <= bits) {
+                if (++failed >= most_failed_proofs) {
+                    break;
+                }
+                bits_.raise_to(bits + bits / 2, "solution", "");
+            }
+        }
+        refuse_root("is not proved at any precision, as if it were not isolated", "change a condition");
+    }
+
+private:
+    // The message ends with the last iterate and the values of F there.
+    [[noreturn]] void refuse_root(const std::string& reason, const std::string& remedy) const {
+        std::string where;
+        for (std::size_t i = 0; i < x_.size(); ++i) {
+            const std::string name = i < names_.size() ? names_[i] : "x" + std::to_string(i + 1);
+            where += (i == 0 ? "" : ", ") + name + " = " + rounded_text(x_[i], digits_of_iterate);
+        }
+        std::string residual;
+        for (const ball& each : residual_) {
+            residual += (residual.empty() ? "" : ", ") + rounded_text(each, digits_of_residual);
+        }
+        throw error(error_kind::undecided, "solution", "",
+                    reason + "; the last iterate is " + where +
+                        (residual.empty() ? ", where the conditions have no value" : ", with residual " + residual) +
+                        ": " + remedy);
+    }
+
+    enclosed_map at(const std::vector<ball>& x, long bits, long error_bits) {
+        residual_.clear();
+        auto map = f_(x, bits, error_bits);
+        if (!map) {
+            refuse_root("is not reached with " + std::to_string(bits) + " bits", better_guess);
+        }
+        residual_ = map->value;
+        return *std::move(map);
+    }
+
+    // Newton's method until the steps are below the precision; its first steps may be long.
+    void settle(long bits) {
+        magnitude before;
+        for (int i = 0; i < most_root_steps; ++i) {
+            const magnitude step = improve(bits);
+            if (step <= magnitude::of(1, -bits / 2)) {
+                return;
+            }
+        }
+        refuse_root("is not found, since Newton's method did not converge", better_guess);
+    }
+
+    // Performs one step; returns its length relative to x.
+    magnitude improve(long bits) {
+        const precision_scope scope(decimal_digits(bits));
+        const long error_bits = std::max(proved_march::usual_error_bits, bits / 2 + 48);
+        const enclosed_map map = at(x_, bits, error_bits);
+        const auto inverse = inverse_near(map.derivative);
+        if (!inverse) {
+            refuse_root("is not isolated: the derivative of the conditions is singular", better_guess);
+        }
+        const auto step = times(*inverse, map.value);
+        magnitude longest;
+        for (std::size_t i = 0; i < x_.size(); ++i) {
+            if (!is_finite(step[i])) {
+                refuse_root("is lost by Newton's method", better_guess);
+            }
+            x_[i] = exact_midpoint(x_[i] - step[i]);
+            longest =
+                std::max(longest, magnitude(exact_midpoint(step[i])) / (magnitude(x_[i]) + magnitude::of(1, -20)));
+        }
+        return longest;
+    }
+
+    // Krawczyk's test, and the digits of the proved solution.
+    std::optional<std::vector<known_value>> proved(long bits) {
+        const precision_scope scope(decimal_digits(bits));
+        const enclosed_map here = at(x_, bits, proved_march::usual_error_bits);
+        const auto inverse = inverse_near(here.derivative);
+        if (!inverse) {
+            refuse_root("is not isolated: the derivative of the conditions is singular", better_guess);
+        }
+        const auto step = times(*inverse, here.value);
+        std::vector<magnitude> radii;
+        radii.reserve(step.size());
+        for (const ball& each : step) {
+            radii.push_back(magnitude(each) * magnitude(2U) + magnitude::of(1, -2 * bits));
+        }
+        for (int box = 0; box < most_boxes; ++box) {
+            if (const auto root = krawczyk(*inverse, step, radii)) {
+                return printed(*root);
+            }
+            for (magnitude& each : radii) {
+                each *= magnitude(16U);
+            }
+        }
+        return std::nullopt;
+    }
+
+    std::optional<std::vector<ball>> krawczyk(const ball_matrix& inverse, const std::vector<ball>& step,
+                                              const std::vector<magnitude>& radii) {
+        std::vector<ball> box;
+        for (std::size_t i = 0; i < x_.size(); ++i) {
+            box.push_back(widened(x_[i], radii[i]));
+        }
+        const auto over_box = f_(box, 2 * proved_march::usual_error_bits, proved_march::usual_error_bits);
+        if (!over_box) {
+            return std::nullopt;
+        }
+        const ball_matrix map = product(inverse, over_box->derivative);
+        std::vector<ball> root;
+        for (std::size_t i = 0; i < x_.size(); ++i) {
+            magnitude rest;
+            for (std::size_t j = 0; j < x_.size(); ++j) {
+                rest += magnitude(ball(i == j ? 1 : 0) - map[i][j]) * radii[j];
+            }
+            const magnitude reach = magnitude(step[i]) + rest;
+            if (!(reach < radii[i])) {
+                return std::nullopt;
+            }
+            root.push_back(widened(x_[i] - step[i], rest));
+        }
+        return root;
+    }
+
+    std::optional<std::vector<known_value>> printed(const std::vector<ball>& root) {
+        std::vector<known_value> values;
+        for (const ball& each : root) {
+            if (zeros_ == zero_values::bounded && contains_zero(each) && !is_exact(each) &&
+                certainly_less(abs(each), pow(ball(10), -digits_))) {
+                values.push_back({std::nullopt, bound_text(each)});
+                continue;
+            }
+            auto decimal = bits_.printed(each, "solution", "");
+            if (!decimal) {
+                return std::nullopt;
+            }
+            values.push_back({*std::move(decimal), ""});
+        }
+        return values;
+    }
+
+    const map_of_unknowns& f_;
+    long digits_;
+    const std::vector<std::string>& names_;
+    zero_values zeros_;
+    std::vector<ball> residual_;  // of the last iterate; empty if it has none
+    std::vector<ball> x_;
+    needed_bits bits_;
+};
+
+}  // namespace
+
+std::vector<proved_decimal> proved_root(const map_of_unknowns& f, const std::vector<number>& guess, long digits,
+                                        const std::vector<std::string>& names) {
+    std::vector<proved_decimal> decimals;
+    for (const known_value& each : root_search(f, guess, digits, names, zero_values::undecided).result()) {
+        decimals.push_back(each.decimal.value());
+    }
+    return decimals;
+}
+
+std::vector<known_value> proved_part_of_root(const map_of_unknowns& f, const std::vector<number>& guess, long digits,
+                                             const std::vector<std::string>& names) {
+    return root_search(f, guess, digits, names, zero_values::bounded).result();
+}
+
+}  // namespace libration::ode
