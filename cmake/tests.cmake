@@ -160,6 +160,8 @@ if(words_python)
             --sentences ${PROJECT_SOURCE_DIR}/tests/words/sentences.txt
             ${worded})
     set_tests_properties(words PROPERTIES TIMEOUT 20)
+    add_test(NAME tables_of_contents COMMAND ${words_python} ${PROJECT_SOURCE_DIR}/tests/docs/check_toctree.py)
+    set_tests_properties(tables_of_contents PROPERTIES TIMEOUT 20)
     add_test(NAME places_of_planted_faults
         COMMAND ${words_python} ${PROJECT_SOURCE_DIR}/tests/faults/plant.py --places)
     set_tests_properties(places_of_planted_faults PROPERTIES TIMEOUT 20)
