@@ -26,11 +26,21 @@ add_custom_command(TARGET libration-c POST_BUILD
     BYPRODUCTS ${c_symbols}
     VERBATIM)
 
+# The same for Fortran.
+set(fortran_module ${PROJECT_BINARY_DIR}/libration.f90)
+add_custom_command(OUTPUT ${fortran_module}
+    COMMAND ${CMAKE_COMMAND} -D HEADER=${PROJECT_SOURCE_DIR}/include/libration.h -D MODULE=${fortran_module}
+        -P ${PROJECT_SOURCE_DIR}/cmake/fortran_module.cmake
+    DEPENDS include/libration.h cmake/fortran_module.cmake cmake/libration.f90.in
+    VERBATIM)
+add_custom_target(libration-fortran DEPENDS ${fortran_module})
+add_dependencies(libration-c libration-fortran)
+
 file(RELATIVE_PATH prefix_from_pkgconfig /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
 configure_file(cmake/libration.pc.in ${PROJECT_BINARY_DIR}/libration.pc @ONLY)
 install(TARGETS libration-c
     LIBRARY COMPONENT c_interface NAMELINK_COMPONENT headers)
-install(FILES include/libration.h include/libration.f90 DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT headers)
+install(FILES include/libration.h ${fortran_module} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT headers)
 install(FILES ${PROJECT_BINARY_DIR}/libration.pc
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
     COMPONENT headers)

@@ -3,7 +3,7 @@
  * Strings. Every number is passed as a string and is exact as written: 1.71, 171/100, 1e-30, 3pi/4, 150deg, 2-1e-10,
  * sqrt(2), a time also as T/4, an exact binary number as 6004799503160661*2^-53 (libration_exact_text). Strings are
  * UTF-8 and null-terminated; lists are separated by commas; a string that may be NULL may also be empty. Returned
- * strings belong to the object that was passed and are valid as long as it exists.
+ * strings belong to the object that was passed and are valid as long as it exists. Arrays are declared with [].
  *
  * Numbers are returned as handles: a decimal, a bound of its error, and its rigour. D digits are D significant digits,
  * correct to one unit in the last digit. Nothing is computed in double precision except by the sampler.
@@ -261,19 +261,19 @@ void libration_problem_free(libration_problem *problem);
  * singularity. ARGUMENT for nan and infinities, for starts at a singular initial point, and for starts of a problem with
  * events or delays. Four or more solutions run in lock step in the lanes of SIMD vectors, with the same values; this thread
  * alone is used, and several can share a problem. The callback is called after each solution, or some of them. */
-int libration_problem_flow(const libration_problem *problem, double begin, size_t solutions, const double *starts,
-                           size_t count, const double *times, libration_watch watch, void *context, double *values);
+int libration_problem_flow(const libration_problem *problem, double begin, size_t solutions, const double starts[],
+                           size_t count, const double times[], libration_watch watch, void *context, double values[]);
 /* The same with a row of `numbers` for each solution, the values of the parameters and initial values `names`, "r, x(0)".
  * `starts` NULL is the state at the initial point of the problem, which depends on them, and `begin` is not used then.
  * ARGUMENT also for other names, for numbers that the equations require to be constant, such as an exponent, and for a
  * singular initial point. */
-int libration_problem_varied_flow(const libration_problem *problem, const char *names, const double *numbers,
+int libration_problem_varied_flow(const libration_problem *problem, const char *names, const double numbers[],
                                   double begin, size_t solutions, const double *starts, size_t count,
-                                  const double *times, libration_watch watch, void *context, double *values);
+                                  const double times[], libration_watch watch, void *context, double values[]);
 /* The initial time of a problem and the state there, the doubles next to them. */
-int libration_problem_start(const libration_problem *problem, double *time, double *values);
+int libration_problem_start(const libration_problem *problem, double *time, double values[]);
 /* The steps of one such solution from `begin` to `end`, which may be earlier: dense output. */
-int libration_steps_new(const libration_problem *problem, double begin, const double *start, double end,
+int libration_steps_new(const libration_problem *problem, double begin, const double start[], double end,
                         libration_steps **steps);
 size_t libration_steps_count(const libration_steps *steps);
 /* The degree N of the polynomials. */
@@ -307,11 +307,11 @@ int libration_motion_verify(const libration_motion *motion, const char *names, c
 int libration_problem_verify(const libration_problem *problem, const char *names, const char *times, const char *values,
                              const char *rules, libration_watch watch, void *context, libration_table **compared);
 /* The same for doubles, which are taken as exact: `rows` times, and rows x names values. */
-int libration_motion_verify_doubles(const libration_motion *motion, const char *names, size_t rows, const double *times,
-                                    const double *values, const char *rules, libration_watch watch, void *context,
+int libration_motion_verify_doubles(const libration_motion *motion, const char *names, size_t rows, const double times[],
+                                    const double values[], const char *rules, libration_watch watch, void *context,
                                     libration_table **compared);
 int libration_problem_verify_doubles(const libration_problem *problem, const char *names, size_t rows,
-                                     const double *times, const double *values, const char *rules,
+                                     const double times[], const double values[], const char *rules,
                                      libration_watch watch, void *context, libration_table **compared);
 
 /* ---- theta and omega at many times in double precision, a few nanoseconds each, within 4 units in the last place of
@@ -319,8 +319,8 @@ int libration_problem_verify_doubles(const libration_problem *problem, const cha
 
 int libration_sampler_new(const libration_motion *motion, libration_sampler **sampler);
 /* Arrays of `count`; they may be the same memory. Their contents after an error are unspecified. */
-int libration_sampler_at(const libration_sampler *sampler, size_t count, const double *times, double *theta,
-                         double *omega);
+int libration_sampler_at(const libration_sampler *sampler, size_t count, const double times[], double theta[],
+                         double omega[]);
 void libration_sampler_free(libration_sampler *sampler);
 
 #ifdef __cplusplus
