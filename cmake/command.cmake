@@ -6,6 +6,12 @@ find_package(nlohmann_json REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 find_package(Threads REQUIRED)
 find_package(SQLite3 REQUIRED)
+if(NOT TARGET SQLite3::SQLite3) # before CMake 4.3
+    add_library(SQLite3::SQLite3 ALIAS SQLite::SQLite3)
+endif()
+if(NOT TARGET libration::ball)
+    message(FATAL_ERROR "the command needs FLINT 2.9 or newer with Arb (Debian: libflint-dev libflint-arb-dev)")
+endif()
 
 include(cmake/peers.cmake)
 
@@ -62,7 +68,7 @@ add_dependencies(libration-sweep libration-version)
 target_include_directories(libration-sweep PUBLIC ${PROJECT_SOURCE_DIR}/src/command ${generated_dir})
 target_link_libraries(libration-sweep
     PUBLIC libration::libration CLI11::CLI11 fmt::fmt nlohmann_json::nlohmann_json Threads::Threads
-    PRIVATE OpenSSL::Crypto SQLite::SQLite3 libration-warnings)
+    PRIVATE OpenSSL::Crypto SQLite3::SQLite3 libration-warnings)
 target_link_libraries(libration-studies PUBLIC libration-sweep PRIVATE libration-warnings)
 target_link_libraries(libration-claims PUBLIC libration-sweep PRIVATE libration-warnings)
 target_precompile_headers(libration-sweep PRIVATE ${PROJECT_SOURCE_DIR}/src/command/precompiled.hpp <CLI/CLI.hpp>)
