@@ -67,7 +67,7 @@ public:
 
     /// The system must outlive this object. With `observed`, a function of the solution, its zeros are found by
     /// next_observed. Throws error for a singular initial point, and if the branch at the initial point is not unique.
-    hybrid_path(const hybrid_system& system, long bits, const proof_route& route = {}, march_watch watch = {},
+    hybrid_path(const hybrid_system& system, long bits, proof_route route = {}, march_watch watch = {},
                 const expression* observed = nullptr, crossing observed_way = crossing::any);
     ~hybrid_path();
 
@@ -123,7 +123,7 @@ private:
     bool add_saltation(entered_branch& entered, const step_values& values);
     bool enter(const entered_branch& entered, const step_values& values, const branch_beginning& beginning);
     std::optional<std::vector<ball>> state_before(const number& time);
-    int before_or_after(const number& time, const path_event& event) const;
+    static int before_or_after(const number& time, const path_event& event);
     bool certainly_before(const number& time) const;
     std::vector<ball> state_at_event() const;
     bool ended(path_end why, std::string reason = {});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 #include <unordered_set>
+#include <utility>
 
 #include "libration/equation/node_values.hpp"
 #include "libration/function/list.hpp"
@@ -48,7 +49,7 @@ bool is_restricted(const expression& e) {
 // Replaces leaves and collects the restricted parts, in an order that depends only on the expressions.
 class part_reader {
 public:
-    explicit part_reader(const replacement& by) : by_(by) {}
+    explicit part_reader(replacement by) : by_(std::move(by)) {}
 
     expression read(const expression& e) {
         return done_.of(e, [&](const expression& node) {
@@ -69,7 +70,7 @@ public:
     }
 
     const std::vector<expression>& parts() const { return parts_; }
-    // The same before their leaves were replaced.
+    // The parts before their leaves were replaced.
     const std::vector<expression>& originals() const { return originals_; }
     bool has(const expression& part) const { return known_.contains(part); }
 
@@ -128,7 +129,7 @@ expression with_zeros(expression value, const std::vector<expression>& lost) {
     return value;
 }
 
-// A constant in place of operands that are not; it is defined where these are.
+// A constant instead of operands that are not; it is defined where these are.
 expression with_domain_of(const expression& folded, const expression& a, const expression& b) {
     if (!is_folded(folded) || (is_folded(a) && is_folded(b))) {
         return folded;

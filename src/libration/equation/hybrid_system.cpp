@@ -197,12 +197,11 @@ void hybrid_system::add_influences(const expression& e, std::set<std::string>& u
 }
 
 std::vector<bool> hybrid_system::influences_on(const expression& e) const {
-    if (equation_places_.empty()) {
-        return std::vector<bool>(given_.steps.size(), true);
+    std::vector<bool> steps(given_.steps.size(), equation_places_.empty());
+    if (!equation_places_.empty()) {
+        std::set<std::string> unknowns;
+        add_influences(e, unknowns, steps);
     }
-    std::vector<bool> steps(given_.steps.size());
-    std::set<std::string> unknowns;
-    add_influences(e, unknowns, steps);
     return steps;
 }
 
@@ -305,9 +304,10 @@ explicit_system hybrid_system::branch(const step_values& values, const number& p
         throw std::logic_error("a branch with its state in another order");
     }
     if (!smooth.algebraic().empty()) {
-        refuse("algebraic equations", {},
-               "are not supported beside events and piecewise functions: write the differential equations to which "
-               "they lead");
+        refuse(
+            "algebraic equations", {},
+            "are not supported together with events and piecewise functions: write the differential equations to which "
+            "they lead");
     }
     return smooth;
 }

@@ -36,9 +36,9 @@ void shorten(std::optional<number>& end, const ball& time) {
 
 }  // namespace
 
-branch_search::branch_search(const explicit_system& system, std::vector<watched_surface> surfaces, const ball& begins,
+branch_search::branch_search(const explicit_system& system, std::vector<watched_surface> surfaces, ball begins,
                              long bits, const proof_route& route, const march_watch& watch)
-    : system_(system), begins_(begins), bits_(bits), route_(route), watch_(watch) {
+    : system_(system), begins_(std::move(begins)), bits_(bits), route_(route), watch_(watch) {
     for (watched_surface& each : surfaces) {
         watched_.push_back({std::move(each)});
     }

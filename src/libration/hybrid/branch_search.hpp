@@ -35,14 +35,14 @@ struct found_crossing {
     std::optional<number> exactly = {};
 };
 
-/// Surfaces at known times are compared as exact numbers; each other one has an event search of its own, all of which
+/// Surfaces at known times are compared as exact numbers; each other one has a separate event search, all of which
 /// advance together, so that none goes far beyond the first crossing. A crossing is the first one if its enclosure is
 /// separated from the others. Functions of the variable alone that are exactly 0 at a common time are crossed together:
 /// each has only one zero in its enclosure.
 class branch_search {
 public:
     /// The system must outlive this object. Zeros are searched after `begins`.
-    branch_search(const explicit_system& system, std::vector<watched_surface> surfaces, const ball& begins, long bits,
+    branch_search(const explicit_system& system, std::vector<watched_surface> surfaces, ball begins, long bits,
                   const proof_route& route, const march_watch& watch);
 
     /// The first crossing that is not certainly beyond `end`; std::nullopt for the reason end(). Without an end it is

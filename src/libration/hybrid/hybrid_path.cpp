@@ -21,11 +21,11 @@ crossing turned(crossing way, int orientation) {
 
 }  // namespace
 
-hybrid_path::hybrid_path(const hybrid_system& system, long bits, const proof_route& route, march_watch watch,
+hybrid_path::hybrid_path(const hybrid_system& system, long bits, proof_route route, march_watch watch,
                          const expression* observed, crossing observed_way)
     : system_(system),
       bits_(bits),
-      route_(route),
+      route_(std::move(route)),
       watch_(std::move(watch)),
       observed_(observed),
       observed_way_(observed_way) {
@@ -204,7 +204,7 @@ std::optional<std::vector<ball>> hybrid_path::state_before(const number& time) {
 }
 
 // -1 before the event, 0 if that is not decided, 1 at a known time or after it.
-int hybrid_path::before_or_after(const number& time, const path_event& event) const {
+int hybrid_path::before_or_after(const number& time, const path_event& event) {
     if (event.exactly) {
         return (time - *event.exactly).sign() < 0 ? -1 : 1;
     }
