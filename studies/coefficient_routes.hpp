@@ -68,7 +68,7 @@ inline given<mpfr> given_by(const motion& m, int order) {
     return {arc.start(), lattice.radius(top), lattice.height, arc_series(arc, order), arc_endpoint(arc)};
 }
 
-// The same numbers in another arithmetic.
+// These numbers in another arithmetic.
 template <class T>
 given<T> in(const given<mpfr>& exact) {
     const auto to = [](const mpfr& x) { return narrow<T>(x); };

@@ -23,7 +23,7 @@ struct scored_answer {
     std::optional<mpfr> ratio;
 };
 
-// The same as a row of a separate table, with more digits than are printed.
+// A scored_answer as a row of a separate table, with more digits than are printed.
 inline const column_list<judged_answer>& score_columns() {
     using row = judged_answer;
     static const column_list<row> all{

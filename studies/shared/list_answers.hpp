@@ -85,7 +85,7 @@ inline const column_list<answered_list>& answer_columns() {
     return all;
 }
 
-/// The same with the meanings of the pendulum.
+/// answer_columns() with the meanings of the pendulum.
 inline const column_list<answered_list>& answer_columns_of_pendulum() {
     static const auto all = with_meanings(
         answer_columns(),
@@ -163,7 +163,7 @@ std::vector<answered_list> judged_answers(const sweep_energy& at, const exact& p
     return all;
 }
 
-/// The same as a table.
+/// judged_answers() as a table.
 template <class Shown>
 table answers_about(const sweep_energy& at, const exact& point, const std::vector<int>& orders,
                     const scalar_spec& scalar, const Shown& shown) {
@@ -196,7 +196,7 @@ std::vector<answered_list> answers_to(const std::string& unknown, const series::
     return all;
 }
 
-/// The same for the requested unknowns and several orders, one order after the other.
+/// answers_to() for the requested unknowns and several orders, one order after the other.
 template <class Shown>
 std::vector<answered_list> answers_to(const std::vector<unknown_series>& lists, const equation_sweep& sweep,
                                       const std::vector<int>& orders, const scalar_spec& scalar, const Shown& shown) {

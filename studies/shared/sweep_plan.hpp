@@ -61,7 +61,7 @@ study_plan plan_by_values(std::vector<study_table> tables, const shared_sweep& s
         [sweep, rows](std::size_t i, const std::vector<Value>& chosen) { return rows(sweep->energies[i], chosen); });
 }
 
-/// The same for the orders.
+/// plan_by_values() for the orders.
 template <class Rows>
 study_plan plan_by_order(std::vector<study_table> tables, const shared_sweep& sweep, const std::vector<int>& orders,
                          const Rows& rows) {

@@ -137,7 +137,7 @@ norm_at<T> difference_norm(const F& difference, const std::vector<double>& point
     return largest;
 }
 
-/// The same, with the jets computed here.
+/// difference_norm() with the jets computed here.
 template <bracketed_scalar T, class F>
 norm_at<T> difference_norm(const F& difference, const std::vector<double>& points) {
     std::vector<series::jet<T>> at_points;

@@ -58,7 +58,7 @@ series::power_series<T> inner_series_by_convolution(const series::power_series<T
     return m == 0 ? series : binomial * endpoint_remainder(series, endpoint);
 }
 
-/// The same by m running sums, each a division by 1 - x. O(m N) additions and no multiplications.
+/// h by m running sums, each a division by 1 - x. O(m N) additions and no multiplications.
 template <scalar T>
 series::power_series<T> inner_series(const series::power_series<T>& series, const std::vector<T>& endpoint) {
     series::power_series<T> inner = endpoint_remainder(series, endpoint);

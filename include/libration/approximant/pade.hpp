@@ -70,7 +70,7 @@ std::optional<pade_approximant<T>> pade_by(const series::power_series<T>& series
     return pade_approximant<T>{std::move(numerator), std::move(denominator)};
 }
 
-/// The same by Gaussian elimination, O(M^3 + L M), with pivots up to `negligible` taken as 0. The system loses digits
+/// [L/M] by Gaussian elimination, O(M^3 + L M), with pivots up to `negligible` taken as 0. The system loses digits
 /// with every degree of Q: scale x by the radius of convergence and add guard digits to the working precision.
 template <rounding_scalar T>
 std::optional<pade_approximant<T>> pade(const series::power_series<T>& series, int numerator_degree,
@@ -80,7 +80,7 @@ std::optional<pade_approximant<T>> pade(const series::power_series<T>& series, i
     });
 }
 
-/// The same with `negligible` the rounding error of a pivot, 8 (M + 1) eps.
+/// [L/M] with `negligible` the rounding error of a pivot, 8 (M + 1) eps.
 template <rounding_scalar T>
 std::optional<pade_approximant<T>> pade(const series::power_series<T>& series, int numerator_degree,
                                         int denominator_degree) {

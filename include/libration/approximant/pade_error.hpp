@@ -115,7 +115,7 @@ private:
                is_found(f, p.centre, all, lower_bound(abs(over.curvature)));
     }
 
-    // The same by enclosures in few digits, which are equally rigorous; std::nullopt if they do not decide.
+    // is_settled() by enclosures in few digits, which are equally rigorous; std::nullopt if they do not decide.
     std::optional<bool> is_settled_roughly(const piece& p) const {
         if (p.level > most_rough_level) {
             return std::nullopt;

@@ -47,7 +47,7 @@ public:
         return {with_tail(sum.value), slope_with_tail(sum.slope), enclose(sum.curvature, tail_.curvature)};
     }
 
-    /// The same without the second derivative.
+    /// at() without the second derivative.
     series::jet<ball> jet_at(const ball& s) const {
         const series::jet<ball> sum = evaluate(kept_, s);
         return {with_tail(sum.value), slope_with_tail(sum.slope)};

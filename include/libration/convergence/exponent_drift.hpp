@@ -139,7 +139,7 @@ T drift_of_exponent(const local_exponents<T>& local, const T& exponent, const li
     return drift;
 }
 
-/// The same if there are no local exponents: that of one logarithm as a factor.
+/// drift_of_exponent() without local exponents: that of one logarithm as a factor.
 template <rounding_scalar T>
 T unseen_drift(const list_quality<T>& list) {
     using std::log;

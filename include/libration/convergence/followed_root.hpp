@@ -160,7 +160,7 @@ std::optional<std::vector<complex_number<mpfr>>> roots_in(const series::power_se
     return upper;
 }
 
-/// The same in long double, or in 40 digits if that is not sufficient; empty if neither suffices.
+/// These roots in long double, or in 40 digits if that is not sufficient; empty if neither suffices.
 inline std::vector<complex_number<mpfr>> starting_roots(const series::power_series<mpfr>& p) {
     auto found = roots_in<long double>(p);
     if (!found) {

@@ -66,7 +66,7 @@ auto with_growing_precision(const growing_digits& digits, const std::string& sub
     refuse_undecided(subject, used);
 }
 
-/// The same for a computation that determines how many digits it needs: an attempt(digits) without a result stores in
+/// For a computation that determines how many digits it needs: an attempt(digits) without a result stores in
 /// `digits` the number for the next run, which has at least one more. The first run has `first`, none has more than
 /// `last`.
 template <class Attempt>

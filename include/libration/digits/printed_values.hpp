@@ -33,7 +33,7 @@ std::vector<mpfr> rounded_values(const scalar_spec& scalar, const F& f,
                : one_run(scalar, f);
 }
 
-/// The same for complex numbers.
+/// rounded_values() for complex numbers.
 template <class F>
 std::vector<complex_number<mpfr>> rounded_complex_values(const scalar_spec& scalar, const F& f,
                                                          const std::function<std::vector<bool>()>& vanishing = {}) {
@@ -67,7 +67,7 @@ std::vector<printed_number> printed(const scalar_spec& scalar, long digits, cons
     return printed(rounded_values(scalar, f, vanishing), digits);
 }
 
-/// The same with digits that are correct whatever the scalar of the command is: T is mpfr, or ball for a proved scalar.
+/// printed() with correct digits whatever the scalar of the command is: T is mpfr, or ball for a proved scalar.
 template <class F>
 std::vector<printed_number> printed_right(const scalar_spec& scalar, long digits, const F& f) {
     if (scalar.kind == scalar_kind::proved) {

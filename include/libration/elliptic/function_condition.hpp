@@ -43,8 +43,8 @@ std::optional<mpfr> function_condition(const Value& value, const std::vector<exa
     return midpoint_of(ball(ldexp(sum, step_bits) / abs(f)));
 }
 
-/// The same for a complex function, |f| its modulus: sum |x df/dx|/|f| over the inputs, with the real and the imaginary
-/// part of the argument as two inputs. value(inputs) is f as complex_parts.
+/// function_condition() of a complex f, |f| its modulus: sum |x df/dx|/|f| over the inputs, with the real and the
+/// imaginary part of the argument as two inputs. value(inputs) is f as complex_parts.
 template <class Value>
 std::optional<mpfr> complex_function_condition(const Value& value, const std::vector<exact>& inputs) {
     const long step_bits = digits<ball>() / 2;

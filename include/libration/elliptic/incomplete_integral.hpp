@@ -27,7 +27,7 @@ T angle_next_to(const T& sine, const T& cosine, const T& near) {
     return angle;
 }
 
-/// The same, on balls to a few digits more than this number of doublings requires before the point.
+/// angle_next_to(), on balls to a few digits more than this number of doublings requires before the point.
 template <scalar T>
 T branch_angle(const T& sine, const T& cosine, const T& near, int doublings) {
     if constexpr (proved_scalar<T>) {

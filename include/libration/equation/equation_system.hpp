@@ -221,9 +221,9 @@ private:
     std::vector<opened_definition> open_;
 };
 
-/// The same for a single expression. Throws error like parameter_values::in().
+/// parameter_values::in() for a single expression.
 expression with_values(const expression& e, const equation_system& system);
-/// The same for an expression that is a number. Throws error like parameter_values::number_of().
+/// parameter_values::number_of() for a single expression.
 number number_with_values(const expression& e, const equation_system& system);
 
 /// An unknown or a lower derivative at a time, which is constant and may contain parameters.

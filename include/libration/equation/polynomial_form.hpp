@@ -159,7 +159,7 @@ std::vector<R> lifted_values(const polynomial_form& of, const R& time, const std
     return values.values();
 }
 
-/// The same and, column by column, their derivatives with respect to the given ones.
+/// lifted_values() and, column by column, their derivatives with respect to the given ones.
 template <field R>
 std::vector<R> varied_values(const polynomial_form& of, const R& time, const std::vector<R>& given) {
     std::vector<R> result = lifted_values(of, time, given);

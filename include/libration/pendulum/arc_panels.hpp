@@ -40,7 +40,7 @@ public:
         });
     }
 
-    /// The same at one point, by its panel if that is expanded.
+    /// jets() at one point, by its panel if that is expanded.
     series::jet<mpfr> at(const mpfr& x) const {
         const auto panel = expanded_.find(panel_of(x));
         if (panel == expanded_.end()) {

@@ -81,7 +81,7 @@ public:
                                             : norm_of_rounded(resummation_from_top(arc, order));
     }
 
-    /// The same in mpfr of that many digits without guard digits: the accuracy attained by the arithmetic itself.
+    /// norm_in() for mpfr of that many digits without guard digits: the accuracy attained by the arithmetic itself.
     norm_at<mpfr> norm_in_digits(long digits, arc_method method, int order, const motion& m, const mpfr& place) {
         const auto norm_of_rounded = [&](const auto& approximation, const mpfr& rounded_place) {
             const auto value = [&](const mpfr& x) {
@@ -118,7 +118,7 @@ public:
         return intervals + 1;
     }
 
-    /// The same with the samples from which it was computed, at this many Chebyshev points.
+    /// norm_of() with the samples from which it was computed, at this many Chebyshev points.
     template <class F>
     sampled_error error_of(const F& approximation, int count) {
         auto points = chebyshev_points(count);

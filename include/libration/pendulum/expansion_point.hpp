@@ -54,7 +54,7 @@ phase<T> phase_of(const expansion_point& point, const motion& m, const Clock& cl
     return phase_map<T>::at_quarter(top);
 }
 
-/// The same by the clock of a solution.
+/// phase_of() by the clock of a solution.
 template <scalar T>
 phase<T> phase_of(const expansion_point& point, const exact_solution<T>& solution) {
     return phase_of<T>(point, solution.of(), [&]() -> const phase_map<T>& { return solution.phases(); });

@@ -30,7 +30,7 @@ std::vector<series::jet<T>> numerical_solution(const series::jet<T>& start, cons
     return states;
 }
 
-/// The same without a progress callback.
+/// By runge_kutta_march::advance_to(), without a progress callback.
 /// Throws error when an integration needs more than runge_kutta_march::most_steps.
 template <scalar T>
 std::vector<series::jet<T>> numerical_solution(const series::jet<T>& start, const std::vector<T>& times,

@@ -72,7 +72,7 @@ public:
         return {omega, (sine * cosine * 2 - omega * action) / critical_product()};
     }
 
-    /// The same for derivatives at a fixed fraction of T instead of a fixed time: dT/dE = T mean/D, with the mean
+    /// at() for derivatives at a fixed fraction of T instead of a fixed time: dT/dE = T mean/D, with the mean
     /// above, so that phi + omega t dT/dE / T is the formula without it.
     variation_pair<T> at_fraction(const T& theta, const T& omega) const { return at(T(0), theta, omega); }
 

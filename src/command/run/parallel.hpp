@@ -53,7 +53,7 @@ void on_threads(std::size_t count, int jobs, const Work& work) {
     }
 }
 
-/// The same for a sweep: the results of work by index; every finished step is shown.
+/// on_threads() for a sweep: the results of work by index; every finished step is shown.
 template <class Work>
 auto parallel_map(std::size_t steps, int jobs, progress& shown, const Work& work) {
     std::vector<decltype(work(std::size_t{0}))> results(steps);

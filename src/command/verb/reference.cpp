@@ -207,7 +207,7 @@ void require_no_certificate(const reference_options& options, const std::string&
     }
 }
 
-// The same for those of any integration.
+// Throws for options of any integration.
 void require_no_integration(const reference_options& options, const std::string& reason) {
     options.integrator.require_absent(reason);
     require_no_times(options, reason);

@@ -43,7 +43,7 @@ doubles flow(const problem_object& of, double begin, const std::optional<doubles
     return values;
 }
 
-// The same with a row of values of these parameters and initial values for each solution.
+// flow() with a row of values of these parameters and initial values for each solution.
 doubles varied_flow(const problem_object& of, const std::string& names, const doubles& numbers, double begin,
                     const std::optional<doubles>& starts, const doubles& times) {
     const auto size = static_cast<py::ssize_t>(libration_problem_size(of.handle.get()));

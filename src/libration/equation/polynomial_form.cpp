@@ -281,7 +281,7 @@ bool is_linear_with_entire_coefficients(const expression& right, const IsOwn& is
         right, [&](const expression& leaf) { return is_own(leaf) ? std::optional(expression(0)) : std::nullopt; }));
 }
 
-// The same system with the unknowns at `given` first, which have no definitions, and then the others, which are
+// The system with the unknowns at `given` first, which have no definitions, and then the others, which are
 // functions of those before them.
 polynomial_form with_given(const polynomial_form& all, const std::vector<std::size_t>& given,
                            const std::vector<std::size_t>& others) {

@@ -139,7 +139,7 @@ std::optional<std::vector<ball>> zero_inside(const part_of_field& part, const st
     return inside ? found : std::nullopt;
 }
 
-// The same zero with exact zeros for the unknowns that contain 0, if the slopes that do not vanish with them determine
+// The zero with exact zeros for the unknowns that contain 0, if the slopes that do not vanish with them determine
 // the other ones.
 std::optional<std::vector<ball>> with_exact_zeros(const reduced_field& f, const std::vector<ball>& zero) {
     std::vector<ball> box = zero;

@@ -307,7 +307,7 @@ covering covered_with_bits(const explicit_system& system, const ball& rho, long 
     return found;
 }
 
-// The same; if an error of the kind undecided ends it, the message contains the proved upper bound.
+// covered_with_bits(); if an error of the kind undecided ends it, the message contains the proved upper bound.
 covering covered_or_ended(const explicit_system& system, const ball& rho, long digits, const proof_route& route,
                           const ball& upper) {
     try {

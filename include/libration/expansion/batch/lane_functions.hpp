@@ -8,7 +8,7 @@
 
 namespace libration::ode {
 
-/// The same constant in all lanes.
+/// One constant in all lanes.
 template <>
 struct constant_value<lane_numbers> {
     static lane_numbers of(const number& x) { return {constant_value<double>::of(x)}; }

@@ -302,7 +302,7 @@ partial_states<T> states_by(March& march, const explicit_system& system, const s
     return result;
 }
 
-/// The same by Taylor series.
+/// states_by() with Taylor series.
 template <ordered_scalar T>
 partial_states<T> march_as_far_as_possible(const explicit_system& system, const std::vector<number>& times,
                                            const series::block_product<T>* fast = nullptr) {
@@ -310,7 +310,7 @@ partial_states<T> march_as_far_as_possible(const explicit_system& system, const 
     return states_by<T>(march, system, times);
 }
 
-/// The same if every time is reached. Throws like taylor_march::advance_to.
+/// These states if every time is reached. Throws like taylor_march::advance_to.
 template <ordered_scalar T>
 std::vector<solution_state<T>> march_through(const explicit_system& system, const std::vector<number>& times,
                                              const series::block_product<T>* fast = nullptr) {

@@ -161,7 +161,7 @@ std::optional<std::vector<ball>> collocation_solver::slow_columns(const ball_col
     return now;
 }
 
-// The same in double alone: to the digits to which `matrix_` refines its solutions.
+// slow_columns() in double alone: to the digits to which `matrix_` refines its solutions.
 std::optional<std::vector<ball>> collocation_solver::rounded_slow_columns(const ball_columns& start) {
     const std::size_t columns = start.size();
     if (!matrix_.update(jacobians_in_modes())) {

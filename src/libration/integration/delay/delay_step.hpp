@@ -105,7 +105,7 @@ bool certainly_negative(const T& x) {
     return x < 0;
 }
 
-// The same, and by more than 2^-44 of a size, or some rounding errors of it: ends of steps that are equal as real numbers
+// Negative by more than 2^-44 of a size, or some rounding errors of it: ends of steps that are equal as real numbers
 // are rounded in different ways.
 inline bool certainly_negative(const ball& x, const ball& size) {
     constexpr long bits = 44;

@@ -25,7 +25,7 @@ void require_energy(const exact& number, const exact& energy) {
 
 std::string text_of(const exact& number) { return decimal_of(number, digits_of_endless_decimals); }
 
-// The same formula twice is the same number, though no precision would show it.
+// A formula twice is one number, though no precision would show it.
 bool comes_before(const exact& a, const exact& b) { return a.text != b.text && sign_of_exact(a - b) < 0; }
 
 int order_from(std::string_view text) {

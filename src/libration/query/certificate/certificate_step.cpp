@@ -36,8 +36,8 @@ integer_list rounded_list(const std::vector<ball>& chebyshev, long bits) {
     return result;
 }
 
-// The same such that each coefficient of the derivative, d_j = d_(j+2) + 2 (j+1) a_(j+1), is rounded by at most its own
-// step 2 (j+1), and the value at -1 by half a unit: errors do not accumulate.
+// rounded_list() such that each coefficient of the derivative, d_j = d_(j+2) + 2 (j+1) a_(j+1), is rounded by at most
+// its own step 2 (j+1), and the value at -1 by half a unit: errors do not accumulate.
 integer_list rounded_curve(const std::vector<ball>& chebyshev, long bits) {
     const std::size_t size = chebyshev.size();
     std::vector<ball> exact(size + 2);

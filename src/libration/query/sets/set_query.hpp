@@ -55,7 +55,7 @@ public:
 
     const set_problem& problem() const { return of_; }
     virtual set_run_result enclosed_from(const number_box& box, bool with_derivatives) const = 0;
-    /// The same without the images of spans from one time to another, which take the most time.
+    /// enclosed_from() without the images of spans from one time to another, which take the most time.
     virtual set_run_result enclosed_at_times(const number_box& box, bool with_derivatives) const {
         return enclosed_from(box, with_derivatives);
     }
