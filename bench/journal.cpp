@@ -174,7 +174,7 @@ void write_model(const std::string& path, const writer_cost& writer) {
 
 void print_results(std::size_t cells, const std::vector<std::pair<std::size_t, measured_engine>>& engines,
                    const writer_cost& writer) {
-    fmt::print("{} empty cells through the engine, two threads; asked: below 60 microseconds and 500 bytes a cell\n\n",
+    fmt::print("{} empty cells through the engine, two threads; limits: 60 microseconds and 500 bytes per cell\n\n",
                cells);
     fmt::print("{:>16} {:>18} {:>12} {:>20} {:>12}\n", "cells in a group", "microseconds/cell", "bytes/cell",
                "MB after a tenth", "MB at the end");

@@ -1,5 +1,5 @@
 # cmake -D TYPE=file -D INCLUDE= -D COMPILER= -D WORK= [-D FLAGS=] -P check_missing_operation.cmake
-# Compiles a number type without one of its operations at a time: each must be refused, with a message that names the
+# Compiles a number type without one of its operations at a time: each must be rejected, with a message that names the
 # concept and the operation.
 
 file(READ ${TYPE} whole)

@@ -16,7 +16,7 @@ endif()
 target_link_libraries(libration-tests PRIVATE libration::ball Catch2::Catch2WithMain libration-warnings)
 # The C interface, linked as by a separate program.
 target_link_libraries(libration-tests PRIVATE libration-c)
-# Certificates are checked by a program of its own.
+# Certificates are checked by a separate program.
 target_link_libraries(libration-tests PRIVATE ZLIB::ZLIB)
 target_compile_definitions(libration-tests PRIVATE
     LIBRATION_SYMBOLS="${c_symbols}"
@@ -142,8 +142,8 @@ set_tests_properties(consumer consumer_of_balls consumer_without_flint cpp_examp
 add_test(NAME versions
     COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -P ${PROJECT_SOURCE_DIR}/cmake/check_versions.cmake)
 
-# The documents do not contain the expressions in tests/words/banned.txt. When the messages, the comments or the studies
-# have been rewritten, their directories are added here.
+# The documents do not contain the expressions in tests/words/banned.txt, and messages, comments and studies no more of
+# them than tests/words/present.txt lists.
 set(worded
     README.md
     docs
@@ -160,6 +160,8 @@ if(words_python)
             --sentences ${PROJECT_SOURCE_DIR}/tests/words/sentences.txt
             ${worded})
     set_tests_properties(words PROPERTIES TIMEOUT 20)
+    add_test(NAME words_of_sources COMMAND ${PROJECT_SOURCE_DIR}/tests/words/sources)
+    set_tests_properties(words_of_sources PROPERTIES TIMEOUT 120)
     add_test(NAME tables_of_contents COMMAND ${words_python} ${PROJECT_SOURCE_DIR}/tests/docs/check_toctree.py)
     set_tests_properties(tables_of_contents PROPERTIES TIMEOUT 20)
     add_test(NAME places_of_planted_faults

@@ -31,7 +31,7 @@
 extern "C" {
 #endif
 
-/* Codes. 1 and 2: undefined, the question has no answer as it is asked. 3: unable, an answer was not decided or not
+/* Codes. 1 and 2: undefined, the question as stated has no result. 3: unable, the result was not decided or not
  * computed within the limits. */
 enum {
     LIBRATION_OK = 0,

@@ -1,8 +1,8 @@
-// What a peer that solves initial value problems is told on stdin, and answers on stdout, all numbers hexadecimal
+// What a peer that solves initial value problems reads from stdin, and writes to stdout, all numbers hexadecimal
 // floats:
 //
-//   stdin    version                                   asks for name and version of the library, nothing else
-//   stdin    limit L                                   evaluations of the right sides that a run may take
+//   stdin    version                                   requests name and version of the library, nothing else
+//   stdin    limit L                                   evaluations of the right-hand sides that a run may take
 //            steps K, then K of: kind left right constant numerator denominator
 //            states N, then N of: its step, the step of its slope, its start, its scale
 //            times M t0, then t_1 .. t_M
@@ -193,8 +193,8 @@ inline equations read_equations() {
 // Thrown by a solver that ends without an answer.
 struct no_answer {};
 
-// Reads the problem, and lets solve(equations, method, tolerance, values) run it for each method and tolerance that is
-// asked: it appends the states at all times, or throws no_answer.
+// Reads the problem, and lets solve(equations, method, tolerance, values) run it for each requested method and
+// tolerance: it appends the states at all times, or throws no_answer.
 template <class Solve>
 int answer(const std::string& version, Solve solve) {
     std::string word;

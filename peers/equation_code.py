@@ -1,4 +1,4 @@
-# What peers/equation_code.hpp says of peers that solve initial value problems, for those in Python. The right sides
+# The same as peers/equation_code.hpp, for peers in Python that solve initial value problems. The right-hand sides
 # become a function of Python, made of their elementary operations.
 import sys
 

@@ -1,6 +1,6 @@
 // Initial value problems in double by the Runge-Kutta method of Prince and Dormand of order 8 (rk8pd) of the GNU
-// Scientific Library, and how long that takes, for the benchmark `equations`. GSL is under the GPL: this is a program
-// of its own, which shares no code with the library and talks to it in text.
+// Scientific Library, and how long that takes, for the benchmark `equations`. GSL is under the GPL: this is a separate
+// program, which shares no code with the library and talks to it in text.
 //
 //   stdin    problem tolerance passes end count solutions, then the starts of each: count numbers x, x', y, y', ...
 //   stdout   the CPU time of one pass over all solutions in nanoseconds, then their values at the end, hexadecimal floats

@@ -1,5 +1,5 @@
 // Initial value problems in double by the GNU Scientific Library, for the study `solvers`: see equation_code.hpp. GSL
-// is under the GPL: this is a program of its own.
+// is under the GPL: this is a separate program.
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 #include <gsl/gsl_version.h>

@@ -1,8 +1,8 @@
 // theta = 2 asin(k cd(t, k)) in double by the GNU Scientific Library, for the study audit_gsl. GSL is under the GPL:
-// this is a program of its own, which shares no code with libration and talks to it in text.
+// this is a separate program, which shares no code with libration and talks to it in text.
 //
 //   stdin    lines "k t", hexadecimal floats
-//   stdout   a line with theta for each, nan where GSL refuses
+//   stdout   a line with theta for each, nan where GSL fails
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_sf_elljac.h>
 

@@ -1,5 +1,5 @@
 // theta = 2 asin(k cd(t, k)) and omega = -2 k k' sn/dn in double by the GNU Scientific Library at many times, and how
-// long that takes, for the benchmark `trajectory`. GSL is under the GPL: this is a program of its own, which shares no
+// long that takes, for the benchmark `trajectory`. GSL is under the GPL: this is a separate program, which shares no
 // code with libration and talks to it in text.
 //
 //   stdin    k k' passes count, then count times, hexadecimal floats

@@ -15,7 +15,7 @@ import warnings
 
 from equation_code import answer
 
-warnings.simplefilter("ignore")  # a step that is too small is told by its outcome
+warnings.simplefilter("ignore")  # a step that is too small is reported by its outcome
 
 
 def solve(equations, method, tolerance):

@@ -97,9 +97,9 @@ class Ball:
         return int(mantissa), exponent, radius, radius_exponent
 
     def decimal(self) -> Decimal:
-        """The digits exactly, whatever the context. Raises ValueError for a fraction, which is no decimal."""
+        """The digits exactly, whatever the context. Raises ValueError for a fraction."""
         if "/" in self.digits:
-            raise ValueError(f"{self.digits} is no decimal")
+            raise ValueError(f"{self.digits} is not a decimal")
         return Decimal(self.digits)
 
     def fraction(self) -> Fraction:
@@ -147,5 +147,5 @@ def _fraction_of(x: Any) -> Fraction:
 
 
 def ball(number: Any, digits: int = 50) -> Ball:
-    """The number that a text such as 'sqrt(2)' or 'acos(1/3)' stands for, to proved digits."""
+    """The number that a text such as 'sqrt(2)' or 'acos(1/3)', to proved digits."""
     return Ball._of(_libration.read(text_of(number), digits))

@@ -33,7 +33,7 @@ def _printer(variable: Any) -> Any:
             name = expr.func.__name__
             if isinstance(expr, sympy.core.function.AppliedUndef):
                 if expr.args != (variable,):
-                    raise ValueError(f"{expr} is no function of {variable} alone")
+                    raise ValueError(f"{expr} is not a function of {variable} alone")
                 return name
             names = _functions if len(expr.args) == 1 else _functions_of_order if len(expr.args) == 2 else {}
             if name not in names:
@@ -50,11 +50,11 @@ def _printer(variable: Any) -> Any:
 
 
 def constant_text(number: Any) -> str:
-    """A constant of SymPy, sqrt(2)*pi, as a text. Raises TypeError for floats and for what is no real constant."""
+    """A constant of SymPy, sqrt(2)*pi, as a text. Raises TypeError for floats and for what is not a real constant."""
     import sympy
 
     if not isinstance(number, sympy.Expr) or number.free_symbols or number.is_real is not True:
-        raise TypeError(f"{number} is no real constant")
+        raise TypeError(f"{number} is not a real constant")
     return _printer(None).doprint(number)
 
 

@@ -9,7 +9,7 @@ if TYPE_CHECKING:
 
 
 class LibrationError(Exception):
-    """An error of the library: `subject` is the quantity, `value` what was given, `reason` what is wrong with it."""
+    """An error of the library: `subject` is the quantity, `value` what was given, `reason` why it is an error."""
 
     def __init__(self, message: str, subject: str = "", value: str = "", reason: str = "") -> None:
         super().__init__(message)
@@ -19,7 +19,7 @@ class LibrationError(Exception):
 
 
 class UndefinedError(LibrationError):
-    """The question has no answer as it is asked."""
+    """The question as stated has no result."""
 
 
 class UnableError(LibrationError):
@@ -31,7 +31,7 @@ class ArgumentError(UndefinedError, ValueError):
 
 
 class RangeError(UndefinedError, OverflowError):
-    """Beyond the range of the type that was asked for."""
+    """Beyond the range of the requested type."""
 
 
 class UndecidedError(UnableError, ArithmeticError):

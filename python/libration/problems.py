@@ -23,7 +23,7 @@ from .trajectories import Trajectory, trajectory_of
 class Radius(NamedTuple):
     """A radius of convergence from coefficients alone, which prove none: the verdict, and every test behind it."""
 
-    value: Ball | None  #: None where the tests see no radius; `note` says why
+    value: Ball | None  #: None where the tests see no radius; `note` is the reason
     unknown: str
     note: str
     tests: Table
@@ -58,7 +58,7 @@ class Singularities(Table):
         self.complete = complete
 
     def __repr__(self) -> str:
-        return str(self) + ("" if self.complete else "\nand perhaps more: part of the disc stays unexplained")
+        return str(self) + ("" if self.complete else "\nand possibly more: a part of the disc is unresolved")
 
     def plot(self, x: str | None = None, y: str | None = None, ax: Any = None) -> Any:
         """Draws the positions in the complex plane, and returns the axes of matplotlib."""
@@ -139,7 +139,7 @@ class Problem:
 
     @property
     def text(self) -> str:
-        """The equations as the command takes them, without the changes."""
+        """The equations in the notation of the command, without the changes."""
         return self._text
 
     @property
@@ -451,7 +451,7 @@ def problem(
         elif name in names:
             added.append(f"{name} = {number}")
         else:
-            settings.append(f"{name} = {number}")  # which the library refuses, with the name that is near
+            settings.append(f"{name} = {number}")  # which the library rejects, with the name that is near
     return Problem("\n".join([text.rstrip().rstrip(";,"), *added]) if added else text, "; ".join(settings))
 
 

@@ -1,4 +1,4 @@
-"""Numbers of Python as the exact texts that the library reads. No float is taken for the number that a person meant."""
+"""Numbers of Python as the exact texts that the library reads. No float is taken for the number that was intended."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def exact(x: float) -> str:
     Raises ValueError for nan and infinities.
     """
     if not np.isfinite(x):
-        raise ValueError(f"{x} is no number")
+        raise ValueError(f"{x} is not a number")
     above, below = float(x).as_integer_ratio()
     return f"{above}*2^({1 - below.bit_length()})"
 
@@ -38,14 +38,14 @@ def text_of(x: Any, name: str = "number", exact: bool = True) -> str:
     if isinstance(x, str):
         return x
     if isinstance(x, (bool, np.bool_)):
-        raise TypeError(f"{name} is {x}, which is no number")
+        raise TypeError(f"{name} is {x}, which is not a number")
     if isinstance(x, numbers.Integral):
         return str(int(x))
     if isinstance(x, Fraction):
         return f"{x.numerator}/{x.denominator}" if x.denominator != 1 else str(x.numerator)
     if isinstance(x, Decimal):
         if not x.is_finite():
-            raise ValueError(f"{name} is {x}, which is no number")
+            raise ValueError(f"{name} is {x}, which is not a number")
         return str(x)
     if isinstance(x, Ball):
         if not x.is_exact:
@@ -62,7 +62,7 @@ def text_of(x: Any, name: str = "number", exact: bool = True) -> str:
         from .equations import constant_text
 
         return constant_text(x)
-    raise TypeError(f"{name} is a {type(x).__name__}, which is no exact number")
+    raise TypeError(f"{name} is a {type(x).__name__}, which is not an exact number")
 
 
 def times_text(times: Any, exact: bool = True) -> tuple[str, bool]:

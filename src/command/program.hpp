@@ -7,7 +7,7 @@ namespace libration {
 /// success, 1 a check failed, 2 invalid usage or input.
 int run_program(int argc, char** argv);
 
-/// From then on a failure of GMP or FLINT, and memory that is refused where no exception is caught, end the process with
+/// From then on a failure of GMP or FLINT, and failed allocations where no exception is caught, end the process with
 /// a message and the exit code 1. run_program() calls it.
 void prepare_for_failures();
 

@@ -233,7 +233,7 @@ private:
         return at.delay.empty() ? formula{names_.of(id)} : earlier(id, at);
     }
 
-    // What a name stood for at an earlier time.
+    // The value of a name at an earlier time.
     formula earlier(const std::string& id, const occurrence& at) {
         const auto found = quantities_.find(id);
         if (found == quantities_.end()) {

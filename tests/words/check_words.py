@@ -2,12 +2,17 @@
 """Looks in documents for expressions that are not idiomatic technical English, and for private terms.
 
     check_words.py [--readme-lines N] PATH...      files, or directories whose documents are checked
+    check_words.py --present [--update] PATH...    the same for sources, except for the hits in present.txt
     check_words.py --sentences FILE                checks the list itself
 
 banned.txt, next to this file, lists the expressions with their replacements, allowed.txt the places where one of them is legitimate,
 each with its reason. What is not prose is skipped: in Markdown, printed output (text and console blocks), inline code, formulas and
 link targets, and in other code blocks everything but comments; in sources, everything but comments and string literals; in
 notebooks, code cells. Every hit is printed as FILE:LINE with the pattern and the replacement; the exit code is then 1.
+
+present.txt lists how often which pattern is still found in which source. These hits may only become fewer: one more in a file
+is printed, and so is a list that has to be shortened. --update writes it again, for hits that were mended and for files that were
+moved; it fails if a pattern is found more often than before.
 
 FILE of --sentences has pairs of lines: "- " with a sentence in which a pattern has to be found, and "+ " with its rewrite, in which
 none may be found.
@@ -18,6 +23,8 @@ import fnmatch
 import json
 import re
 import sys
+from bisect import bisect_right
+from collections import Counter
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -71,17 +78,23 @@ def markdown_prose(text):
 
 
 def source_prose(text, comment):
-    """Comments and the contents of string literals."""
+    """Comments, without the code in them, and the contents of string literals."""
+    text = re.sub(r'^[ \t]*#[ \t]*include.*$', "", text, flags=re.M)
     literal = r'"(?:[^"\\\n]|\\.)*"'
-    kept = []
+    kept, end = [], 0
     for match in re.finditer(rf"{literal}|{comment}[^\n]*|/\*.*?\*/|\n", text, flags=re.DOTALL):
         part = match.group()
+        if text[end : match.start()].strip():
+            kept.append(CODE)
+        end = match.end()
         if part == "\n":
             kept.append("\n")
         elif part.startswith('"'):
             kept.append(" " + part[1:-1] + " ")  # adjacent literals are one message
         else:
-            kept.append(" " + re.sub(rf"^(?:{comment}|/\*)[/!<]*|\*/$", "", part) + " ")
+            words = re.sub(rf"^(?:{comment}|/\*)[/!<]*|\*/$", "", part)
+            words = masked(words, r"`[^`\n]*`|\w+(?:(?:::|\.|->)\w+)+|\w+(?=\()")
+            kept.append(" " + words + " ")
     return "".join(kept)
 
 
@@ -104,20 +117,21 @@ def prose_of(path):
 
 
 def collapsed(prose):
-    """The prose with single blanks, and the line of each of its characters."""
-    text, lines, line = [], [], 1
-    for character in prose:
-        if not character.isspace():
-            text.append(character)
-            lines.append(line)
-        elif not text or text[-1] != " ":
-            text.append(" ")
-            lines.append(line)
-        line += character == "\n"
-    return "".join(text), lines
+    """The prose with single blanks, and a function that gives the line of a position in it."""
+    words, starts, lines = [], [], []
+    start, line, end = 0, 1, 0
+    for match in re.finditer(r"\S+", prose):
+        line += prose.count("\n", end, match.start())
+        end = match.end()
+        words.append(match.group())
+        starts.append(start)
+        lines.append(line)
+        start += end - match.start() + 1
+    return " ".join(words), lambda position: lines[bisect_right(starts, position) - 1]
 
 
 def hits_in(text, patterns):
+    text = text.lower()  # faster than patterns for both cases
     for pattern, replacement in patterns:
         for match in pattern.finditer(text):
             yield match, pattern.pattern, replacement
@@ -135,13 +149,14 @@ def files_of(paths):
             sys.exit(f"check_words: there is no {name}")
 
 
-def check_files(paths, patterns):
+def hits_of_files(paths, patterns):
+    """The hits, as path, pattern and message, and how many entries of allowed.txt nothing needs."""
     allowed = [[glob, re.compile(phrase, re.IGNORECASE), reason, False] for glob, phrase, reason in read_table("allowed.txt", 3)]
-    scanned, count = [], 0
+    scanned, hits, count = [], [], 0
     for path in files_of(paths):
         name = str(path.relative_to(ROOT)) if path.is_relative_to(ROOT) else str(path)
         scanned.append(name)
-        text, lines = collapsed(prose_of(path))
+        text, line_at = collapsed(prose_of(path))
         fitting = [entry for entry in allowed if fnmatch.fnmatch(name, entry[0])]
         spans = [(match.span(), entry) for entry in fitting for match in entry[1].finditer(text)]
         for match, pattern, replacement in hits_in(text, patterns):
@@ -149,13 +164,42 @@ def check_files(paths, patterns):
             for entry in covering:
                 entry[3] = True
             if not covering:
-                count += 1
-                print(f'{name}:{lines[match.start()]}: "{match.group()}": write {replacement}    [{pattern}]')
+                message = f'{name}:{line_at(match.start())}: "{text[slice(*match.span())]}": write {replacement}    [{pattern}]'
+                hits.append((name, pattern, message))
     for glob, phrase, _, used in allowed:
         if not used and any(fnmatch.fnmatch(name, glob) for name in scanned):
             count += 1
             print(f"allowed.txt: nothing in {glob} needs the entry {phrase.pattern!r}: remove it")
-    return count
+    return hits, count
+
+
+def beyond_present(hits, update):
+    """The number of complaints about hits that present.txt does not list, and about its lines that list too many."""
+    listed = Counter({(name, pattern): int(times) for name, times, pattern in read_table("present.txt", 3)})
+    found = Counter((name, pattern) for name, pattern, _ in hits)
+    if update:
+        more = totals(found) - totals(listed)
+        for pattern in sorted(more):
+            print(f"{more[pattern]} more than present.txt lists of {pattern}, in files of which it lists fewer:")
+            print(*(f"    {each[2]}" for each in hits if each[1] == pattern and found[each[:2]] > listed[each[:2]]), sep="\n")
+        if not more:
+            head = "".join(line for line in (HERE / "present.txt").open(encoding="utf-8") if line.startswith("#"))
+            rows = "".join(f"{name}\t{times}\t{pattern}\n" for (name, pattern), times in sorted(found.items()))
+            (HERE / "present.txt").write_text(head + rows, encoding="utf-8")
+        return more.total()
+    more, fewer = found - listed, listed - found
+    print(*(message for name, pattern, message in hits if more[name, pattern]), sep="\n", end="\n" if more else "")
+    for (name, pattern), times in sorted(fewer.items()):
+        print(f"present.txt lists {times} more of {pattern} than {name} has: run tests/words/sources --update")
+    return more.total() + fewer.total()
+
+
+def totals(counted):
+    """How often each pattern is found in all files."""
+    sums = Counter()
+    for (_, pattern), times in counted.items():
+        sums[pattern] += times
+    return sums
 
 
 def check_sentences(name, patterns):
@@ -178,9 +222,16 @@ def main():
     options.add_argument("paths", nargs="*", metavar="PATH")
     options.add_argument("--sentences", metavar="FILE", help="pairs of sentences that check the list")
     options.add_argument("--readme-lines", type=int, metavar="N", help="README.md may have at most N lines")
+    options.add_argument("--present", action="store_true", help="the hits in present.txt may remain")
+    options.add_argument("--update", action="store_true", help="write present.txt again, if no pattern is found more often")
     given = options.parse_args()
-    patterns = [(re.compile(pattern, re.IGNORECASE), hint) for pattern, hint in read_table("banned.txt", 2)]
-    count = check_files(given.paths, patterns)
+    patterns = [(re.compile(pattern), hint) for pattern, hint in read_table("banned.txt", 2)]
+    hits, count = hits_of_files(given.paths, patterns)
+    if given.present:
+        count += beyond_present(hits, given.update)
+    else:
+        print(*(message for _, _, message in hits), sep="\n", end="\n" if hits else "")
+        count += len(hits)
     if given.sentences:
         count += check_sentences(given.sentences, patterns)
     if given.readme_lines:

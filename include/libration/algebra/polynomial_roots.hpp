@@ -24,7 +24,7 @@ template <rounding_scalar T>
 struct polynomial_root {
     complex_number<T> at;
     T error_bound;
-    bool settled = false;  ///< |p| is no larger than its rounding error: no step can improve the root
+    bool settled = false;  ///< |p| is not above its rounding error: no step can improve the root
 };
 
 /// The roots in no particular order, and how the iteration ended.

@@ -10,7 +10,7 @@
 namespace libration::ode {
 
 /// a where the indicator [u > 0] or [u >= 0], or 1 minus one, is 1, and b where it is 0: holds*a + (1 - holds)*b, with a
-/// mark by which the products can be told from those that are typed. The part that is not chosen need not be defined,
+/// mark that distinguishes the products from those that are typed. The part that is not chosen need not be defined,
 /// while a factor of a product has to be, whatever the others are: if(t > 3, log(1 - t), 0) is 0 at t = 2, and
 /// if(t > 3, 1, 0)*log(1 - t) has no value there.
 expression choice_between(const expression& holds, const expression& a, const expression& b);

@@ -53,7 +53,7 @@ R function_value(function_kind f, const R& x, const rational* order = nullptr) {
                 return function_at(of, x);
             }
         } else {
-            if constexpr (rounded_from_balls<R>) {  // in an `if` of its own, as it does not depend on `each`
+            if constexpr (rounded_from_balls<R>) {  // in a separate `if`, as it does not depend on `each`
                 if constexpr (function_of_flint<each>) {
                     return value_by_balls(f, order, x);
                 }

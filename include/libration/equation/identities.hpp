@@ -6,7 +6,7 @@
 namespace libration::ode {
 
 /// Whether an expression is 0 for all values of its leaves for which it is defined: all coefficients of it as a
-/// polynomial in leaves, and in those subexpressions that are no polynomials, are exactly 0. False if that does not
+/// polynomial in leaves, and in those subexpressions that are not polynomials, are exactly 0. False if that does not
 /// show it, which proves nothing.
 bool is_identically_zero(const expression& e);
 

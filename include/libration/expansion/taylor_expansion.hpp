@@ -19,7 +19,7 @@ namespace libration::ode {
 template <field R>
 using solution_state = std::vector<std::vector<R>>;
 
-/// Coefficients 0 .. N of an unknown of first order that are known from elsewhere, in place of those by its equation.
+/// Coefficients 0 .. N of an unknown of first order that are known from elsewhere, instead of those by its equation.
 template <field R>
 struct known_series {
     int unknown = 0;

@@ -19,7 +19,7 @@ ball exact_midpoint(const ball& x);
 ball_matrix product(const ball_matrix& a, const ball_matrix& b);
 
 /// { sum_b B_b x_b + a : |x_b| <= r_b, |a_i| <= e_i }, B_b the columns of a block, one or two of them, with the Euclidean
-/// norm; columns of balls stand for each of their matrices. Theorem V has blocks of one: B [-r, r] + [-e, e], and after
+/// norm; columns of balls represent each of their matrices. Theorem V has blocks of one: B [-r, r] + [-e, e], and after
 /// settled() B = S Q, S a diagonal matrix of powers of two, Q exact and nearly orthogonal, and e = 0. In theorem K the
 /// columns need not be as many as the coordinates. In theorem V there may be more: then those that exceed the number of
 /// coordinates, the first ones, are followed separately, C [-q, q] + B [-r, r] + [-e, e] (two images of boxes

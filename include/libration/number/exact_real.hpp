@@ -60,7 +60,7 @@ public:
     /// An exponent e such that the number is 0 or at least 2^-e, if it is built from fractions by sums, products,
     /// quotients, and powers with fractions as exponents, and e is below 2^22. It is U/L with algebraic integers U, L of
     /// a field of degree at most D, the product of the degrees of all roots in it, and all conjugates of U are at most
-    /// u, those of L at most l. The norm of U is an integer: if it is not 0, |U| >= u^(1-D), and the number is at least
+    /// u, those of L at most l. The norm of U is an integer: if nonzero, |U| >= u^(1-D), and the number is at least
     /// u^(1-D)/l [Burnikel2009].
     std::optional<long> separation_exponent() const;
     /// -1, 0 or 1, proved. Throws as narrowed().

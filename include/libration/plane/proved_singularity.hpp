@@ -42,7 +42,7 @@ proved_singularity prove_singularity(const explicit_system& system, const found_
 
 /// Theorem C for all singularities of a map, each within 10^-digits/2 of its location, relative to it below 1; the
 /// mirror image of a proved one, of the same unknown, is thereby proved. Calls `done` after each. An unproved one has
-/// the reason in its `refusal` and does not affect the others, also if the watch of the route ends its proof.
+/// the reason in its `refusal` and does not affect the others, also if the progress callback ends its proof.
 std::vector<proved_singularity> prove_singularities(const explicit_system& system,
                                                     const std::vector<found_singularity>& found, long digits,
                                                     const std::function<void()>& done = {},

@@ -87,7 +87,7 @@ struct singularity_map {
     long points = 0;
     /// Whether the equation has entire solutions, by its form.
     bool entire = false;
-    /// What the watch threw to end the work after the search: singularities that were not refined yet are left out.
+    /// What the callback threw to end the work after the search: singularities that were not refined yet are left out.
     std::optional<error> ended = {};
     /// The requested portrait, row by row from below.
     std::vector<plane_value> portrait;
@@ -103,7 +103,7 @@ struct singularity_map {
 /// two for the time and for each unknown). A singularity is found from the coefficients of the unknowns of the
 /// component only: if these are regular at a singularity of the unknowns that they depend on, they have none there.
 /// Throws error if the initial point is singular in powers of a root, or if a path cannot be followed, and what the
-/// watch throws during the search.
+/// callback throws during the search.
 singularity_map singularities_of(const explicit_system& system, const singularity_request& request);
 
 }  // namespace libration::ode

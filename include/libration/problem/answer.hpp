@@ -21,7 +21,7 @@ struct request {
     /// Digits of the decimals; those of the scalar if 0.
     long digits = 0;
     /// Of states: the parameters and initial values, r, x'(0), with respect to which every quantity is differentiated
-    /// (derivative_name), as ode::proved_derivatives does. Refused as error of the subject "derivatives" unless the
+    /// (derivative_name), as ode::proved_derivatives does. An error of the subject "derivatives" unless the
     /// scalar is a ball. The derivatives of a recognised pendulum are those of its equations.
     std::vector<std::string> derivatives = {};
     /// Each proof is compared with a second one by another route.
@@ -33,10 +33,10 @@ struct request {
     std::function<void(double time, long bits)> reached = {};
     /// Of a search and a proof in the complex plane, for singularities and proved radii: "120 expansion points, 43
     /// discs". If it throws an error of the kind undecided, singularities() returns what is finished, with this error as
-    /// the reason of what is missing; a proof of a radius ends with the bound that is proved.
+    /// the reason of what is missing; a proof of a radius ends with the proved bound.
     std::function<void(const std::string& done)> stage = {};
-    /// The integrator of states that are computed by integration. collocation is refused, as error of the subject
-    /// "integrator", if it does not support the system or the precision, and for closed forms. taylor is refused for
+    /// The integrator of states that are computed by integration. collocation is an error of the subject
+    /// "integrator", if it does not support the system or the precision, and for closed forms. taylor is an error for
     /// closed forms.
     ode::integrator_choice integrator = ode::integrator_choice::automatic;
     /// Called for each step of a proof of states at times; not for the second proof of `check`.

@@ -18,7 +18,7 @@ struct axis {
     std::string name;        ///< gap
     std::string option;      ///< --gaps
     std::string help;        ///< a description of its values, for the command line
-    std::string forms = {};  ///< what may be written; empty if `form` says it all
+    std::string forms = {};  ///< what may be written; empty if `form` is complete
     std::string unit = {};   ///< of the values; empty for pure numbers
     axis_form form;
     std::string remedy;  ///< the advice printed for an invalid value

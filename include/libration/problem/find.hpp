@@ -30,7 +30,7 @@ struct branch_values {
 /// The branch of solutions of the conditions in a parameter, past turning points (ode::follow_branch), from the first
 /// value and the problem's first guess: a row for each passage of one of the values and for each turning point, in the
 /// order of the branch: point ("solution" or "turning point"), the parameter, and the unknowns, each digit proved, or
-/// with a bound below 10^-digits for a value that is not distinguished from 0. The note "end" says where and why the
+/// with a bound below 10^-digits for a value that is not distinguished from 0. The note "end" is where and why the
 /// branch ends; answer::missing is set if points are not proved, if the branch could not be continued, or if a callback
 /// threw an error of the kind undecided after the first point: request.reached, or request.progress, which is called
 /// with 0 after each point. With request.check as above, point by

@@ -8,14 +8,14 @@
 namespace libration {
 
 /// The remedies available to a caller. Two results are kept apart, as GR_DOMAIN and GR_UNABLE in FLINT: `undefined`, the
-/// question has no answer as it is asked, and `unable`, an answer was not decided or not computed within the limits.
+/// question as stated has no result, and `unable`, the result was not decided or not computed within the limits.
 enum class error_kind {
     argument,  ///< undefined: the value is malformed or outside the domain: use another one
     range,     ///< undefined in this scalar, whose range the value exceeds: use another scalar
     undecided  ///< unable: no precision, proof or method within the limits decides; the value itself is valid
 };
 
-/// Whether the question has no answer as it is asked: the exit code of a command is 2, otherwise 1.
+/// Whether the question as stated has no result: the exit code of a command is 2, otherwise 1.
 constexpr bool is_undefined(error_kind kind) {
     switch (kind) {
         case error_kind::argument:

@@ -43,7 +43,7 @@ private:
     std::optional<std::string> integrator_;
 };
 
-/// The file of --trace: one line of CSV per step, written beside it and renamed at the end, also if an exception ends
+/// The file of --trace: one line of CSV per step, written next to it and renamed at the end, also if an exception ends
 /// the integration, or --timeout or a signal ends the process within a step.
 class step_trace {
 public:

@@ -26,7 +26,7 @@ std::string line_of(const std::string& name, const std::string& value, std::size
     return value.empty() ? "" : fmt::format("{:<{}} {}\n", name, width, value);
 }
 
-// The width of all names, so that their values stand below each other.
+// The width of all names, so that their values are aligned.
 std::size_t width_of(const std::vector<std::string>& names) {
     std::size_t width = least_width;
     for (const std::string& name : names) {

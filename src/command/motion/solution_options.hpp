@@ -1,4 +1,4 @@
-// The options of a command that asks about one solution: of --problem, or of the pendulum, which is the usual problem.
+// The options of a command about one solution: of --problem, or of the pendulum, which is the usual problem.
 #pragma once
 
 #include <memory>

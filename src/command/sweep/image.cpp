@@ -174,7 +174,7 @@ std::string without_titles(const std::string& svg) {
 }
 
 // Texts of several pieces, such as "log", "10" and " rad", keep their spaces except in front: librsvg omits a space at
-// the start of a piece unless the text asks for it.
+// the start of a piece unless the text requests it.
 std::string with_spaces_kept(const std::string& svg) {
     constexpr std::string_view begin = "<text>";
     constexpr std::string_view piece = "<tspan";

@@ -34,7 +34,7 @@ struct study_parameter {
     std::string option;     ///< of an axis of the problem or of study_axes(), or --scalar
     std::string usual;      ///< as on the command line; may be empty if another option sets the same coordinate
     std::string meaning;    ///< with unit
-    bool required = false;  ///< the study refuses a request without it
+    bool required = false;  ///< the study rejects a request without it
 
     /// The default for readers: "required" or "none" if it has none.
     std::string usual_text() const { return !usual.empty() ? usual : required ? "required" : "none"; }

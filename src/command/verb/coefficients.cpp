@@ -52,7 +52,7 @@ void refuse_check(const coefficients_options& options) {
     }
 }
 
-// The coefficients as fractions, if --scalar rational asks for them and the solution has them.
+// The coefficients as fractions, with --scalar rational, if the solution has them.
 std::optional<answer> fractions_of(const coefficients_options& options, const solution& of,
                                    const series_request& powers) {
     if (options.arithmetic.scalar() != "rational") {

@@ -39,7 +39,7 @@ printed_rows decimals_of(const libration_table& of, std::size_t first, long digi
     return rows;
 }
 
-// Beside the file, which it replaces when it is complete.
+// Next to the file, which it replaces when it is complete.
 void write_file(const std::string& path, const std::string& content) {
     const std::string beside = path + ".new";
     std::ofstream file(beside, std::ios::binary);

@@ -26,7 +26,7 @@ public:
     }
 
 private:
-    // The products of choices are replaced by parameters of their own, so that nothing else loses its factors.
+    // The products of choices are replaced by separate parameters, so that nothing else loses its factors.
     expression made(const expression& e) {
         std::map<std::string, expression> chosen;
         const expression open = with_nodes_replaced(e, [&](const expression& node) -> std::optional<expression> {

@@ -44,7 +44,7 @@ exact_coefficient function_value<exact_coefficient>(function_kind f, const exact
 
 namespace {
 
-// Decided exactly: a number that is near 0 is not 0.
+// Decided exactly: a number near 0 is nonzero.
 bool vanishes(const std::string& name, const exact_coefficient& x) {
     try {
         return x.value.sign() == 0;

@@ -1,4 +1,4 @@
-// Events of hybrid paths: the state and the branch after each.
+// Events of hybrid solutions: the state and the branch after each.
 #include <algorithm>
 #include <utility>
 

@@ -1,4 +1,4 @@
-// The precision of runs along hybrid paths, and why they end.
+// The precision of runs along hybrid solutions, and why they end.
 #pragma once
 
 #include <algorithm>

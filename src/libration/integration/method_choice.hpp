@@ -12,9 +12,9 @@
 
 namespace libration::ode {
 
-/// The steps of theorem K in place of those of theorem V, and the choice when they begin and end, on which no proof
+/// The steps of theorem K instead of those of theorem V, and the choice when they begin and end, on which no proof
 /// depends. Collocation begins where the solution is smooth over many steps of Taylor series
-/// (collocation_integrator::is_smooth_over), which is checked after so many of them that a trial in vain at most doubles
+/// (collocation_integrator::is_smooth_over), which is checked after so many steps that a trial in vain at most doubles
 /// the time, and ends when no mode has been fast for some steps, or when its steps are not much longer than those of
 /// Taylor series.
 ///
@@ -36,7 +36,7 @@ public:
     /// length; the rest of the way is `rest`, with the sign of the direction.
     bool may_begin(long steps, const magnitude& length, const ball& rest, bool with_derivative) const;
     /// Begins from a set of the given unknowns, if the solution is smooth enough and a step is proved; true if that
-    /// step is prepared. With the derivative of the flow if asked, whose fast columns begin with a layer of their own.
+    /// step is prepared. With the derivative of the flow if asked, whose fast columns begin with a separate layer.
     bool begin(long steps, const ball& time, const state_set& set, const magnitude& length, const ball& rest,
                bool with_derivative);
     /// Prepares the next step; false if none is proved.
@@ -85,11 +85,11 @@ private:
     std::optional<polynomial_form> varied_;        // the form with variations, if they are
     std::optional<decay_coordinates> coordinates_;
     std::vector<double> largest_;        // log2 of the given unknowns, of their largest values in this phase
-    std::vector<std::size_t> decaying_;  // the unknowns for which coordinates were last looked for
+    std::vector<std::size_t> decaying_;  // the unknowns for which coordinates were last searched
     bool active_ = false;
     collocation_use use_;
     long steps_of_phase_ = 0;
-    magnitude length_to_pay_;               // of a step that is worth its cost
+    magnitude length_to_pay_;               // of a step that pays off
     long between_checks_, next_check_ = 0;  // in steps
 };
 

@@ -14,7 +14,7 @@ class algebraic_decay {
 public:
     void add(const std::vector<ball>& state);
     /// q > 0 where the last three changes of the state decrease like t^-q: from each to the next by factors whose
-    /// logarithms to base 2 agree to 1 %. If that goes on, the state has a limit, which it approaches like t^-q;
+    /// logarithms to base 2 agree to 1 %. If that continues, the state has a limit, which it approaches like t^-q;
     /// exponential decay doubles the logarithm with the time.
     std::optional<double> exponent() const;
     /// For the end of a message that no equilibrium is approached; empty where there is no such exponent.

@@ -16,7 +16,7 @@ struct conserved_sums {
     std::vector<std::vector<rational>> coefficients, logarithms;
 };
 
-/// All that follow from expanding f into products of unknowns, t, and of subexpressions that are no polynomials, taken
+/// All that follow from expanding f into products of unknowns, t, and of subexpressions that are not polynomials, taken
 /// as further variables; none if that has more than 10,000 terms. Logarithms of the unknowns with a nonzero initial value
 /// that divide their slope, and keep their sign, therefore.
 conserved_sums conserved_sums_of(const first_order_form& of);

@@ -20,7 +20,7 @@ struct block_basis {
 std::optional<block_basis> basis_of_eigenvectors(const dense_matrix& of);
 
 /// For a matrix with nearly parallel eigenvectors, as of critical damping: its real Schur vectors in double [Eigen],
-/// scaled such that the entries beside the blocks of the triangular form are small compared with the slowest decay;
+/// scaled such that the entries outside the blocks of the triangular form are small compared with the slowest decay;
 /// std::nullopt unless all eigenvalues have a negative real part.
 std::optional<block_basis> scaled_schur_basis(const dense_matrix& of);
 

@@ -258,7 +258,7 @@ double search_all(const component_searches& all, const singularity_request& requ
     return searched;
 }
 
-// What a watch throws, distinguished from the errors of the work.
+// What the progress callback throws, distinguished from the errors of the work.
 struct ended_by_watch {
     error of;
 };
@@ -276,7 +276,7 @@ plane_watch marking(const plane_watch& watch) {
     };
 }
 
-// Until the watch ends it.
+// Until the progress callback ends it.
 void refine_all(const component_searches& searches, long digits, singularity_map& map) {
     try {
         for (const auto& each : searches) {

@@ -1,4 +1,4 @@
-// Texts of certificates with the progress of the run that is going on.
+// Texts of certificates with the progress of the current run.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace libration {
 
-/// ode::certificate_of, with the part of the way to the time that is farthest as progress.
+/// ode::certificate_of, with the fraction of the farthest time as progress.
 std::string text_of_certificate(const ode::explicit_system& system, const ode::certified_statement& statement,
                                 const rational& farthest, long digits, const request& how);
 

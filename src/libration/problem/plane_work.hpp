@@ -9,7 +9,7 @@
 
 namespace libration {
 
-/// Counts the expansion points and discs of all works that are given its watch. It and the request must outlive them.
+/// Counts the expansion points and discs of all works with its callback. It and the request must outlive them.
 class plane_work {
 public:
     explicit plane_work(const request& how) : how_(how) {}

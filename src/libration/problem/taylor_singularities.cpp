@@ -107,7 +107,7 @@ void require_second_discs(const ode::explicit_system& system, const std::optiona
     }
 }
 
-// Each with a refusal if the search has ended.
+// Each with a reason if the search has ended.
 std::vector<ode::proved_singularity> proofs_of(const ode::explicit_system& system, const ode::singularity_map& map,
                                                const request& how, const ode::plane_watch& watch) {
     if (map.ended) {
@@ -151,7 +151,7 @@ answer_value value_near(const ball& enclosure, const ball& error, std::string ne
     return {std::move(nearest), upper_bound_text(abs(apart) + error)};
 }
 
-// `proof` is nullptr if none was asked for.
+// `proof` is nullptr if none was requested.
 std::vector<answer_value> row_of(const ode::explicit_system& system, const ode::found_singularity& found,
                                  const ode::proved_singularity* proof, long digits) {
     const std::string re = to_decimal(mpfr(ode::constant_value<mpfr>::of(system.point()) + found.offset.re), digits);

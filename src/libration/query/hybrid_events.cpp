@@ -1,4 +1,4 @@
-// Zeros of functions along hybrid paths to proved digits.
+// Zeros of functions along hybrid solutions to proved digits.
 #include <string>
 #include <utility>
 

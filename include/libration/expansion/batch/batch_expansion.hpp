@@ -1,4 +1,4 @@
-// The Taylor series of several solutions of one system, each about a point of its own.
+// The Taylor series of several solutions of one system, each about its own point.
 #pragma once
 
 #include <cstddef>
@@ -35,10 +35,10 @@ public:
 
     /// Expands about points from the states there, [component][lane].
     void about(const lane_numbers& points, std::span<const lane_numbers> states);
-    /// The polynomials of the components that are no parameters, at these distances from the points; the others are
+    /// The polynomials of the components except parameters, at these distances from the points; the others are
     /// left as they are.
     void at(const lane_numbers& distances, std::span<lane_numbers> states) const;
-    /// The largest |c_n| over the components that are no parameters; NaN where one of them is not finite.
+    /// The largest |c_n| over the components except parameters; NaN where one of them is not finite.
     lane_numbers sizes(int n) const;
 
 private:
@@ -53,7 +53,7 @@ private:
     std::vector<bool> parameters_;
     step_arrays<lane_numbers> arrays_;
     std::vector<lane_numbers*> components_;  // the array of each component
-    std::vector<const double*> moving_;      // those of components that are no parameters
+    std::vector<const double*> moving_;      // those of components except parameters
     std::vector<std::size_t> places_;        // their places in the state
     std::unique_ptr<program> program_;
     mutable std::vector<lane_numbers> values_;

@@ -13,7 +13,7 @@ struct lambertw_function {
     static constexpr std::string_view alias = "lambert_w";
     static constexpr auto form = analytic_form::several_values;
     static constexpr singular_points singular = no_points;
-    /// At r exp(r) too, which is no plain number (expression::exponential_form).
+    /// At r exp(r) too, which is not a plain number (expression::exponential_form).
     static exact_value exact(const plain_number& x) { return at_zero(x, 0); }
     static range bounds(const number_bounds& x) {
         mpfr least;

@@ -14,7 +14,7 @@ namespace libration::ode {
 class tube_proof;
 struct tube_candidate;
 
-/// The tube of a step that begins with a set, from the polynomials found for it; std::nullopt if none is proved.
+/// The tube of a step that begins with a set, from its polynomials; std::nullopt if none is proved.
 using tube_rule =
     std::function<std::optional<solution_tube>(tube_proof& by, const tube_candidate& found, const tube_set& start)>;
 
@@ -53,7 +53,7 @@ public:
     /// them, estimated by an L-stable method in long double. No proof depends on it.
     bool is_smooth_over(const ball& time, const std::vector<ball>& state, const ball& length) const;
 
-    /// Sets the initial time, a ball stands for each of its times, and the set of all unknowns of the polynomial form;
+    /// Sets the initial time, a ball represents each of its times, and the set of all unknowns of the polynomial form;
     /// `length` is the first length that is tried, and its sign the direction.
     void begin(const ball& time, tube_set start, const ball& length);
     /// Prepares a step from reached(); false if no step can be proved after many reductions of its length.

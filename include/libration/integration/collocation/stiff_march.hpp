@@ -20,7 +20,7 @@ namespace libration::ode {
 /// the largest value of each unknown in it, amplified by the flow; nothing is proved.
 ///
 /// Between steps the polynomial is the solution, and steps do not depend on the requested times, except that the
-/// farthest of them decides whether collocation is worth while.
+/// farthest of them decides whether collocation pays off.
 template <ordered_scalar T>
 class stiff_march {
 public:

@@ -11,7 +11,7 @@ namespace libration::ode {
 /// Coefficients of 1, x, x^2, ...; empty for the polynomial 0.
 using ball_polynomial = std::vector<ball>;
 
-/// From `start`, over a length of either sign, which is exact; a start that is a ball stands for each of its times. On
+/// From `start`, over a length of either sign, which is exact; a start that is a ball represents each of its times. On
 /// it t = start + (1 + x) length/2, -1 <= x <= 1.
 struct step_interval {
     ball start, length;

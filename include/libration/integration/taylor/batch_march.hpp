@@ -56,7 +56,7 @@ private:
 
     batch_expansion expansion_;
     step_accuracy accuracy_;
-    std::vector<std::size_t> written_;  // the components that are no parameters
+    std::vector<std::size_t> written_;  // the components except parameters
     std::vector<int> orders_;
     std::optional<taylor_march<double>> alone_;  // where parts are hidden (hidden_parts): one solution after the other
 };

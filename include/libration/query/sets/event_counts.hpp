@@ -37,7 +37,7 @@ struct possible_counts {
 /// The solutions of a part of the box are enclosed over short spans of time by theorems V and T. Spans over which the
 /// condition may hold make up windows; on each of them, either the derivative of the difference of the sides along the
 /// solutions has one sign, so that the difference changes its sign at most once, or its second derivative, then at most
-/// twice. Points at which the difference is 0 without changing its sign are no events. Spans are halved and the box is
+/// twice. Points at which the difference is 0 without changing its sign are not events. Spans are halved and the box is
 /// divided where none of these is proved.
 ///
 /// Throws the errors of enclosed_events, and error of the kind argument if `before` is the initial point.

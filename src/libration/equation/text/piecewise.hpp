@@ -32,7 +32,7 @@ struct comparison {
 ///     abs(u) = if(u > 0, u, -u), max(a, b) = if(a - b > 0, a, b), min(a, b) = if(a - b > 0, b, a),
 ///     heaviside(u) = (1 + s)/2, so that heaviside(0) = 1/2,
 ///     square(u) = 1 - 2 (floor(u/pi) - 2 floor(u/(2 pi))), sawtooth(u) = u/pi - 1 - 2 floor(u/(2 pi)).
-/// floor(u/d) with d = pi and 2 pi is a step function of its own, so that its times are exact. With numbers for the
+/// floor(u/d) with d = pi and 2 pi is a separate step function, so that its times are exact. With numbers for the
 /// step functions these formulas fold exactly to the branch that is chosen.
 class step_collector {
 public:

@@ -64,7 +64,7 @@ struct lane_state {
 
 struct lane_program {
     std::vector<lane_step> first;  ///< at n = 0
-    std::vector<lane_step> later;  ///< at n > 0, without those of which only coefficient 0 is not 0
+    std::vector<lane_step> later;  ///< at n > 0, without those of which only coefficient 0 is nonzero
     std::vector<lane_state> states;
     std::vector<degree> degrees;  ///< 0 .. N
     int steps_until = 0;          ///< the last n of the steps

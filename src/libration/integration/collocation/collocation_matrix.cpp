@@ -85,7 +85,7 @@ struct collocation_matrix::parts {
         return result;
     }
 
-    // The solutions without the entries beside the blocks.
+    // The solutions without the entries outside the blocks.
     std::vector<double> solved_by_blocks(const std::vector<double>& right, std::size_t columns) const {
         std::vector<double> result(right.size());
         std::vector<double> part;

@@ -49,8 +49,8 @@ public:
                 arf_set(arb_midref(acb_realref(acb_mat_entry(a, i, j))), arb_midref(entry.handle()));
             }
         }
-        // The left eigenvectors are the rows of an inverse: acb_mat_approx_eig_qr of Arb 2.23 leaks memory if it is asked
-        // for them.
+        // The left eigenvectors are the rows of an inverse: acb_mat_approx_eig_qr of Arb 2.23 leaks memory if it
+        // computes them.
         const bool done = acb_mat_approx_eig_qr(values_, nullptr, right_, a, nullptr, 0, bits) != 0 &&
                           acb_mat_approx_inv(left_, right_, bits) != 0;
         acb_mat_clear(a);

@@ -10,7 +10,7 @@ namespace {
 
 using long_doubles = std::vector<long double>;
 
-// A product of row operations that makes a matrix upper triangular but for the order of its columns.
+// A product of row operations that makes a matrix upper triangular up to the order of its columns.
 long_doubles row_reduction(long_doubles a, std::size_t n) {
     long_doubles by(n * n, 0);
     for (std::size_t i = 0; i < n; ++i) {

@@ -7,7 +7,7 @@ namespace libration::ode {
 
 namespace {
 
-// The binary exponent of the smallest number of a type with all digits of its own and of a sum with it.
+// The binary exponent of the smallest number of a type with all digits, also of a sum with it.
 template <class T>
 constexpr long least_scale_of() {
     return std::numeric_limits<T>::min_exponent + std::numeric_limits<T>::digits;

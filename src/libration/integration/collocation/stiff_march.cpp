@@ -19,12 +19,12 @@ using collocation_scalar = std::conditional_t<std::is_same_v<T, double>, long do
 
 // The size of the matrix of Newton's method up to which collocation is used.
 constexpr std::size_t most_equations = 3500;
-// The number of steps of Taylor series that follow at least for a check to be worth while: all checks then take less
+// The number of steps of Taylor series that follow at least for a check to pay off: all checks then take less
 // than a hundredth of the time.
 constexpr double steps_worth_check = 65536;
 constexpr double steps_worth_check_in_mpfr = 1024;
 constexpr long first_check = 8;
-// The number of steps in which their length may grow until they are worth their cost.
+// The number of steps in which their length may grow until they pay off.
 constexpr long steps_until_worth = 6;
 
 // The number of steps of Taylor series that take as long as one of collocation.
@@ -236,7 +236,7 @@ struct stiff_march<T>::parts {
     int way = 0;
     long taken = 0, between_checks = first_check, next_check = first_check;  // in steps of Taylor series
     long of_phase = 0;
-    double length_to_pay = 0;  // log2 of the length of a step that is worth its cost
+    double length_to_pay = 0;  // log2 of the length of a step that pays off
     collocation_use use;
     std::vector<collocation_use> finished;
     solution_state<T> state;

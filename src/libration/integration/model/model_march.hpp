@@ -82,7 +82,7 @@ public:
     const model_set* set() const { return set_ ? &*set_ : nullptr; }
     /// The derivative of the flow with respect to the given unknowns of the initial state, over the whole set, at a
     /// distance within the step that prepare_towards() has returned: a row for each given unknown. More narrowly if
-    /// that is worth more work.
+    /// that needs more work.
     ball_matrix derivative_at(const ball& distance, bool narrowly) const;
 
 private:

@@ -15,7 +15,7 @@ namespace {
 constexpr int newton_steps = 3;
 // The condition at both ends of an interval is about so many times 2^-1 its distance from the polynomial.
 constexpr unsigned long margin_of_ends = 8;
-// More bits if signs are not decided, which says little about how many are needed.
+// More bits if signs are not decided, which gives little information on how many are needed.
 constexpr long bits_for_signs = 24;
 // log2 of the width of an interval relative to the printed one, at least.
 constexpr long least_width = -64;

@@ -190,7 +190,7 @@ bool certified_run::prepare() {
     return true;
 }
 
-// The reciprocal of the largest derivative of f, at most the whole way; no proof depends on it.
+// The reciprocal of the largest derivative of f, at most the remaining time; no proof depends on it.
 ball certified_run::first_length(const std::vector<ball>& state, const ball& rest) const {
     std::vector<ball> constants;
     for (const number& each : map_.constants()) {

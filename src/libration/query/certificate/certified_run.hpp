@@ -29,7 +29,7 @@ class certified_run {
 public:
     certified_run(const explicit_system& system, const polynomial_form& form, const run_choice& choice);
 
-    /// Prepares the first step, on the way to this time; false if none is proved.
+    /// Prepares the first step towards this time; false if none is proved.
     bool begin(const rational& farthest);
     /// Takes the prepared step, and prepares the next one; false if none is proved. Throws error of the kind argument and
     /// the subject "certificate" if there are more steps than the format contains, or would be at the present length.

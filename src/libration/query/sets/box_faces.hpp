@@ -9,7 +9,7 @@
 
 namespace libration::ode {
 
-/// The extreme values of a function that is monotone in some numbers of a box: those from a face of it, where each of
+/// The extreme values of a function that is monotone in some numbers of a box: those on one face, where each of
 /// these numbers is at an end.
 class box_faces {
 public:

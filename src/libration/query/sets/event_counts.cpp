@@ -121,7 +121,7 @@ private:
         for (std::size_t i = 0; i < places.size(); ++i) {
             const time_span over = span_of(cells[places[i]]);
             const ball time = hull(constant_value<ball>::of(over.from), constant_value<ball>::of(over.to));
-            std::vector<ball> state = start;  // constant, but for the unknowns of the problem
+            std::vector<ball> state = start;  // constant, except the unknowns of the problem
             for (std::size_t k = 0; k < of_.own().size(); ++k) {
                 state[of_.own()[k]] = ball_of(run.images[i]->values[k]);
             }

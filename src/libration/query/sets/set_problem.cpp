@@ -23,7 +23,7 @@ equation_system with_midpoints(equation_system given) {
     return given;
 }
 
-// Each set as a leaf of its own.
+// Each set as a separate leaf.
 std::map<std::string, expression> leaves_by_name(const std::vector<number_set>& sets) {
     std::map<std::string, expression> leaves;
     for (const number_set& each : sets) {

@@ -19,7 +19,7 @@ constexpr double settled_correction = 1e-10;  // of Newton's method, relative to
 constexpr int most_corrections = 8;
 constexpr int most_bisections = 60;
 
-// The rows of a map with one more row, and the right side with which they are solved.
+// The rows of a map with one more row, and the right-hand side with which they are solved.
 std::optional<std::vector<double>> bordered_solution(std::vector<double> rows, const std::vector<double>& last,
                                                      const std::vector<double>& right) {
     rows.insert(rows.end(), last.begin(), last.end());
