@@ -9,10 +9,6 @@ find_package(SQLite3 REQUIRED)
 if(NOT TARGET SQLite3::SQLite3) # before CMake 4.3
     add_library(SQLite3::SQLite3 ALIAS SQLite::SQLite3)
 endif()
-if(NOT TARGET libration::ball)
-    message(FATAL_ERROR "the command needs FLINT 2.9 or newer with Arb (Debian: libflint-dev libflint-arb-dev)")
-endif()
-
 include(cmake/peers.cmake)
 
 set(generated_dir ${PROJECT_BINARY_DIR}/generated)
