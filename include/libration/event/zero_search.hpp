@@ -47,7 +47,7 @@ struct search_start {
     /// there is none. The solutions are continued back from that time to the point by the equations.
     std::optional<ball> begins = {};
     int sign = 1;   ///< of g directly after that time
-    int order = 0;  ///< of the first nonzero derivative of g at that time, and has this sign
+    int order = 0;  ///< of the first nonzero derivative of g at that time, which has this sign
 };
 
 /// The same from all states of a set, directly after the point of the system.

@@ -304,10 +304,9 @@ explicit_system hybrid_system::branch(const step_values& values, const number& p
         throw std::logic_error("a branch with its state in another order");
     }
     if (!smooth.algebraic().empty()) {
-        refuse(
-            "algebraic equations", {},
-            "are not supported together with events and piecewise functions: write the differential equations to which "
-            "they lead");
+        refuse("algebraic equations", {},
+               "are not supported with events and piecewise functions: write the differential equations to which they "
+               "lead");
     }
     return smooth;
 }

@@ -105,7 +105,7 @@ private:
         std::array<entry, 256> entries_;
     };
 
-    // A solution at the times in order_, up to the next one.
+    // The progress of a solution through the times in order_.
     struct traveller {
         bool active = false;
         std::size_t solution = 0;
