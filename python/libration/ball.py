@@ -147,5 +147,5 @@ def _fraction_of(x: Any) -> Fraction:
 
 
 def ball(number: Any, digits: int = 50) -> Ball:
-    """The number that a text such as 'sqrt(2)' or 'acos(1/3)', to proved digits."""
+    """The number given by a text such as 'sqrt(2)' or 'acos(1/3)', to proved digits."""
     return Ball._of(_libration.read(text_of(number), digits))
