@@ -24,6 +24,7 @@
 #include "libration/scalar/ball/quotient.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/near_word.hpp"
+#include "option/exclusions.hpp"
 #include "option/help.hpp"
 #include "option/subcommand.hpp"
 #include "option/timeout_option.hpp"
@@ -160,6 +161,7 @@ int complain_of_input(const libration::input_error& problem) {
 // Runs a subcommand; exceptions become a message of one line and an exit code.
 int run(const libration::subcommand& command) {
     try {
+        libration::check_combinations(*command.options, command.has);
         return command.run();
     } catch (const libration::input_error& problem) {
         return complain_of_input(problem);
@@ -195,10 +197,12 @@ int run_limited(const libration::subcommand& command, const libration::timeout_o
         return run(command);
     }
     std::unique_ptr<libration::time_limit> limit;
-    const libration::subcommand limited{command.options, [&] {
+    const libration::subcommand limited{command.options,
+                                        [&] {
                                             limit = timeout.begin(name != "study", name != "find");
                                             return command.run();
-                                        }};
+                                        },
+                                        command.has};
     return run(limited);
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "command/refusal.hpp"
+#include "option/exclusions.hpp"
 
 namespace command_bad_input_test {
 
@@ -22,6 +23,14 @@ void check_value(const words& before, const std::string& option, const std::stri
 const words series_study{"study", "error_norm", "--orders", "5", "--scalar", "double"};
 
 }  // namespace
+
+TEST_CASE("the tables of combinations that are refused name options that exist", "[command][bad input]") {
+    const std::string help = run_libration({"--help-all"}).out;
+    for (const std::string& option : libration::options_in_tables()) {
+        INFO(option);
+        CHECK(help.find("  " + option) != std::string::npos);
+    }
+}
 
 TEST_CASE("an energy that is no number of 0 or more is refused", "[command][bad input]") {
     for (const std::string value : {"abc",

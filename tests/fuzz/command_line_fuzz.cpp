@@ -50,6 +50,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         program.parse(std::vector<std::string>(words.rbegin(), words.rend()));
         if (runs) {
+            libration::check_combinations(*period.options, {});
             period.run();
         }
     } catch (const CLI::Error&) {

@@ -31,10 +31,4 @@ std::vector<std::string> derivative_options::numbers() const {
     return numbers;
 }
 
-void derivative_options::require_absent(const std::string& reason) const {
-    if (numbers_) {
-        throw input_error("--derivatives", *numbers_, reason, "leave it out");
-    }
-}
-
 }  // namespace libration

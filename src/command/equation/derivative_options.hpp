@@ -19,8 +19,6 @@ public:
     bool differentiate() const { return numbers_.has_value(); }
     /// request::derivatives. Throws input_error for an empty item.
     std::vector<std::string> numbers() const;
-    /// Throws input_error with this reason if the option is given.
-    void require_absent(const std::string& reason) const;
 
     /// work(); an error about a number is rethrown with the name of the option.
     template <class Work>

@@ -61,12 +61,6 @@ ode::integrator_choice integrator_options::choice() const {
                       integrator_remedy);
 }
 
-void integrator_options::require_absent(const std::string& reason) const {
-    if (integrator_) {
-        throw input_error("--integrator", *integrator_, reason, "leave it out");
-    }
-}
-
 void integrator_options::state(const std::vector<ode::collocation_use>& used, bool proved) const {
     for (const ode::collocation_use& each : used) {
         fmt::print(stderr, "libration: {}\n", line_of(each));

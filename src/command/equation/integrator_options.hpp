@@ -21,8 +21,6 @@ public:
     ode::integrator_choice choice() const;
     /// Whether the equations are to be integrated even if a closed form is known.
     bool integrates() const { return choice() != ode::integrator_choice::automatic; }
-    /// Throws input_error if the option is given, with the reason why it has no meaning.
-    void require_absent(const std::string& reason) const;
     /// A line on stderr for each use of collocation, or that no step of it was proved, or found in rounded arithmetic,
     /// although it is chosen.
     void state(const std::vector<ode::collocation_use>& used, bool proved = true) const;

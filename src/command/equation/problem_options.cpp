@@ -124,9 +124,6 @@ void problem_options::add_to(CLI::App& command, closed_forms known, set_values s
 }
 
 std::unique_ptr<libration::solution> problem_options::solution(bool general) const {
-    if (!is_chosen()) {
-        return nullptr;
-    }
     const libration::problem asked(equations());
     auto found = naming_option(changes_.empty() ? "--problem" : "--problem with --set",
                                [&] { return solve(asked, {.general = general || general_}); });
@@ -189,19 +186,9 @@ std::vector<family_member> problem_options::family(std::size_t most) const {
         all = std::move(more);
     }
     for (std::size_t i = 1; i < all.size(); ++i) {
-        all[i].problem.announced_ = all[i].problem.warned_ = true;
+        all[i].problem.announced_ = true;
     }
     return all;
-}
-
-bool problem_options::is_chosen() const {
-    if (!problem_ && !changes_.empty()) {
-        throw input_error("--set", changes_.front(), "requires --problem", "add --problem P");
-    }
-    if (!problem_ && (general_ || !shown_.empty())) {
-        throw input_error(std::string(general_ ? "--general" : "--show") + " requires --problem: add --problem P");
-    }
-    return problem_.has_value();
 }
 
 void warn_of_unused_parameters(const std::string& written) {
@@ -213,7 +200,7 @@ void warn_of_unused_parameters(const std::string& written) {
 
 // Once, taking into account the conditions and names of other options.
 void problem_options::warn_of_unused(const std::string& written) const {
-    if (std::exchange(warned_, true)) {
+    if (std::exchange(*warned_, true)) {
         return;
     }
     std::string used = written;
@@ -233,15 +220,8 @@ void problem_options::warn_of_unused(const std::string& written) const {
     }
 }
 
-void problem_options::require() const {
-    if (!is_chosen()) {
-        throw input_error("no problem is given: add --problem P");
-    }
-}
-
 ode::equation_system problem_options::equations(
     const std::vector<std::pair<std::string, std::string>>& by_options) const {
-    require();
     const std::string written = problem_named(*problem_).text;
     auto system = naming_option("--problem", [&] { return ode::parse(written); });
     warn_of_unused(written);

@@ -58,19 +58,17 @@ public:
     /// Whether --set accepts lists, which make a family.
     enum class set_values { single, lists };
     void add_to(CLI::App& command, closed_forms known = closed_forms::not_used, set_values sets = set_values::single);
-    /// The solution, nullptr if no problem is given; by Taylor series with --general or `general`. A line on stderr
-    /// names the closed form that is used. Throws input_error, also for --set and --general without --problem.
+    /// The solution; by Taylor series with --general or `general`. A line on stderr names the closed form that is used.
+    /// Throws input_error.
     std::unique_ptr<libration::solution> solution(bool general = false) const;
-    /// The solution by Taylor series. Throws input_error if no problem is given.
+    /// The solution by Taylor series. Throws input_error.
     std::unique_ptr<libration::solution> general_solution() const;
-    /// Whether a problem is given. Throws input_error for --set and --general without --problem.
-    bool is_chosen() const;
-    /// Throws input_error if no problem is given.
-    void require() const;
+    /// Whether a problem is given.
+    bool is_chosen() const { return problem_.has_value(); }
     /// For a problem with events or a piecewise right-hand side, a line on stderr: the results are those of the branch at
     /// the initial point.
     void state_first_branch() const;
-    /// The problem solved for its highest derivatives. Throws input_error, also for --set without --problem.
+    /// The problem solved for its highest derivatives. Throws input_error.
     ode::explicit_system choose() const;
     /// The same; of a problem with events or a piecewise right-hand side the branch at its initial point, of one with
     /// delays the equations up to the first breaking point.
@@ -96,7 +94,7 @@ private:
     std::vector<std::string> shown_;
     bool general_ = false;
     bool announced_ = false;  ///< the first of a family has announced what holds for all
-    mutable bool warned_ = false;
+    std::shared_ptr<bool> warned_ = std::make_shared<bool>(false);  ///< once for all copies
 };
 
 struct family_member {

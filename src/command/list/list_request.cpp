@@ -96,10 +96,6 @@ std::vector<list_method> methods_of(const list_words& words) {
     }
     for (const list_method method : {list_method::series, list_method::pade, list_method::endpoint}) {
         if (*words.method == name_of(method)) {
-            if (method == list_method::endpoint && !at_end) {
-                throw input_error("--method", *words.method, "matches values at another point",
-                                  "add --endpoint X and --endpoint-values f,f',...");
-            }
             return {method};
         }
     }
@@ -124,10 +120,6 @@ list_request list_request_of(const list_words& words, long digits) {
         }
         request.coefficients.resize(order + 1);
     }
-    if (words.end.has_value() != words.at_end.has_value()) {
-        throw input_error(std::string("--endpoint and --endpoint-values belong together: add ") +
-                          (words.end ? "--endpoint-values f,f',... at that point" : "--endpoint X"));
-    }
     if (words.end) {
         request.end = number_of("--endpoint", *words.end);
         if (sign_of_exact(*request.end) == 0) {
@@ -139,9 +131,6 @@ list_request list_request_of(const list_words& words, long digits) {
         request.times = numbers_of("--times", *words.times);
     }
     if (words.reference) {
-        if (request.times.empty()) {
-            throw input_error("--reference", *words.reference, "has nothing to be compared with", "add --times LIST");
-        }
         std::error_code error;
         request.reference = std::filesystem::exists(*words.reference, error)
                                 ? by_file(*words.reference, request.times)

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <utility>
-
 #include "equation/problem_trajectory.hpp"
 #include "libration/equation/text/parse.hpp"
 #include "libration/number/grid.hpp"
@@ -59,31 +57,6 @@ void event_options::add_to(CLI::App& command) {
                      "with --before: how many events there are, for a set of solutions each possible number");
 }
 
-void event_options::require_none() const {
-    for (const auto& [option, value] : {std::pair("--count", count_), std::pair("--crossing", way_),
-                                        std::pair("--before", before_), std::pair("--horizon", horizon_)}) {
-        if (value) {
-            throw input_error(option, *value, "requires --until", "add --until \"x = 0\"");
-        }
-    }
-    if (from_start_) {
-        throw input_error("--from-start requires --until: add --until \"x = 0\"");
-    }
-    if (how_many_) {
-        throw input_error("--how-many requires --until: add --until \"x = 0\"");
-    }
-}
-
-bool event_options::given(const problem_options& problem) const {
-    if (until_ && !problem.is_chosen()) {
-        throw input_error("--until", *until_, "requires --problem", "leave it out, or write --problem pendulum");
-    }
-    if (!until_) {
-        require_none();
-    }
-    return until_.has_value();
-}
-
 template <class Request>
 void event_options::read_into(Request& request) const {
     if (way_) {
@@ -101,26 +74,12 @@ void event_options::read_into(Request& request) const {
 }
 
 ode::set_event_request event_options::request_for_sets() const {
-    if (from_start_) {
-        throw input_error("--from-start is not supported with sets of initial values and parameters: leave it out");
-    }
     ode::set_event_request request{.condition = *until_};
     read_into(request);
     return request;
 }
 
 ode::event_count_request event_options::request_for_counts() const {
-    if (!before_) {
-        throw input_error("--how-many requires a time: add --before TIME");
-    }
-    for (const auto& [option, value] : {std::pair("--count", count_), std::pair("--horizon", horizon_)}) {
-        if (value) {
-            throw input_error(option, *value, "is given together with --how-many", "leave one out");
-        }
-    }
-    if (from_start_) {
-        throw input_error("--from-start is not supported with --how-many: leave it out");
-    }
     ode::event_count_request request{.condition = *until_, .before = read_end(*before_)};
     if (way_) {
         request.way = way_of(*way_);

@@ -17,21 +17,20 @@ namespace libration {
 class event_options {
 public:
     void add_to(CLI::App& command);
-    /// Whether --until is given. Throws input_error without a problem, and for an option that requires --until.
-    bool given(const problem_options& problem) const;
+    /// Whether --until is given.
+    bool given() const { return until_.has_value(); }
     /// The condition of --until as it is given.
     const std::string& condition() const { return *until_; }
     /// Throws input_error.
     ode::event_request request(const problem_options& problem, const ode::explicit_system& system) const;
-    /// The same for all solutions of a set. Throws input_error also for --from-start.
+    /// The same for all solutions of a set.
     ode::set_event_request request_for_sets() const;
     /// Whether the number of events is requested: --how-many.
     bool asks_how_many() const { return how_many_; }
-    /// Throws input_error also for what determines single events, and without --before.
+    /// The request of --how-many, which --before ends.
     ode::event_count_request request_for_counts() const;
 
 private:
-    void require_none() const;
     /// What all requests have.
     template <class Request>
     void read_into(Request& request) const;

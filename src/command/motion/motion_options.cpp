@@ -107,37 +107,12 @@ void motion_options::add_to(CLI::App& command) {
     command.add_option("--gravity", gravity_, "gravity in m/s^2 (with --length)")->group(group)->type_name("G");
 }
 
-void motion_options::require_one_motion() const {
-    if (energy_ && gap_) {
-        throw input_error("--gap", *gap_, "is given together with --energy '" + *energy_ + "'", "give one of the two");
-    }
-    const bool energetic = energy_ || gap_;
-    if (energetic && omega0_) {
-        throw input_error("--omega0", *omega0_,
-                          std::string("is given together with ") + (energy_ ? "--energy" : "--gap"),
-                          "give an energy, or --theta0 and --omega0, not both");
-    }
-    if (!energetic && !theta0_ && !omega0_) {
-        throw input_error("no motion is given: add --energy E, --gap G, or --theta0 A with --omega0 W");
-    }
-    if (!energetic && (!theta0_ || !omega0_)) {
-        throw input_error(theta0_ ? "--theta0 '" + *theta0_ +
-                                        "' alone does not determine a motion: add --omega0 W or --energy E"
-                                  : "--omega0 '" + *omega0_ + "' alone does not determine a motion: add --theta0 A");
-    }
-    if (!energetic && direction_) {
-        throw input_error("--direction", *direction_, "applies to --energy or --gap",
-                          "write the sign of the motion in --omega0");
-    }
+chosen_motion motion_options::choose() const {
     for (const auto& [name, value] : all()) {
         if (*value && (*value)->empty()) {
             throw input_error(name, "", "is empty", remedy_of(name));
         }
     }
-}
-
-chosen_motion motion_options::choose() const {
-    require_one_motion();
     chosen_motion chosen = reading_motion([&] { return motion_cells::of(*this).choose({}); });
     if (theta0_) {
         note_radians(read_exact(*theta0_));

@@ -42,8 +42,6 @@ public:
     const std::optional<std::string>& given(std::string_view option) const;
 
 private:
-    /// Throws input_error for options that do not determine one motion together, and for empty ones.
-    void require_one_motion() const;
     chosen_motion choose() const;
 
     using named = std::pair<const char*, const std::optional<std::string>*>;

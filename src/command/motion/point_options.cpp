@@ -12,23 +12,7 @@ void point_options::add_to(CLI::App& command) {
         ->type_name("LIST");
 }
 
-void point_options::require_path(const solution_options& of) const {
-    if (via_) {
-        of.require_problem("--via '" + *via_ + "' is a path in the complex t-plane of a --problem: leave it out");
-    }
-}
-
-void point_options::require_provable(const scalar_spec& scalar) const {
-    if (scalar.kind == scalar_kind::proved && at_ && (via_ || has_imaginary_unit(*at_))) {
-        throw input_error("--scalar", scalar.name(), "cannot prove a path in the complex plane to --at '" + *at_ + "'",
-                          "use mpfr:" + std::to_string(scalar.digits));
-    }
-}
-
 void point_options::complete(series_request& request, const chosen_solution& chosen) const {
-    if (via_ && !at_) {
-        throw input_error("--via", *via_, "requires --at", "add --at POINT");
-    }
     request.about = at_.value_or(chosen.usual_point);
     request.corners = corners_of(via_);
     if (at_) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "equation/complex_times.hpp"
 #include "libration/problem/series_request.hpp"
 #include "libration/scalar/error.hpp"
 #include "motion/solution_options.hpp"
@@ -16,10 +17,8 @@ class point_options {
 public:
     void add_to(CLI::App& command);
     const std::optional<std::string>& at() const { return at_; }
-    /// Throws input_error for --via without --problem.
-    void require_path(const solution_options& of) const;
-    /// Throws input_error for a path through the complex plane in balls, which cannot prove it.
-    void require_provable(const scalar_spec& scalar) const;
+    /// Whether the point is complex.
+    bool is_complex() const { return at_ && has_imaginary_unit(*at_); }
     /// Adds the point and the path to a request. Throws input_error for a text that is not a point of this solution.
     void complete(series_request& request, const chosen_solution& chosen) const;
     /// ask(); an error about the problem or about the path to the point names the option.

@@ -137,21 +137,6 @@ void set_options::add_to(CLI::App& command) {
         ->type_name("N");
 }
 
-bool set_options::given(const problem_options& problem) const {
-    const bool chosen = problem.is_chosen();
-    for (const auto& [option, value] : {std::pair("--over", over_), std::pair("--parts", parts_)}) {
-        if (value && !chosen) {
-            throw input_error(option, *value, "requires --problem", "add --problem P");
-        }
-    }
-    const bool sets = chosen && !problem.equations().sets.empty();
-    if (parts_ && !sets) {
-        throw input_error("--parts", *parts_, "applies to sets of initial values and parameters",
-                          "leave it out, or write one as x(0) = [0.9, 1.1]");
-    }
-    return sets || over_;
-}
-
 std::vector<exact> set_options::ends_of_spans() const {
     const auto colons = std::ranges::count(*over_, ':');
     if (colons != 1 && colons != 2) {
@@ -191,12 +176,6 @@ std::size_t set_options::most_parts() const {
 
 partial_table set_options::enclosures(const problem_options& problem, const std::optional<std::string>& times,
                                       long digits, const ode::proof_route& route) const {
-    if (over_ && times) {
-        throw input_error("--over", *over_, "is given together with --times", "leave one out");
-    }
-    if (!over_ && !times) {
-        throw input_error("no times are given: add --times LIST, or --over A:B for all times of a span");
-    }
     const auto equations = problem.equations();
     const auto given = over_ ? ends_of_spans() : times_of_problem(*times);
     const auto numbers = constants_of(given);

@@ -20,9 +20,8 @@ namespace libration {
 class set_options {
 public:
     void add_to(CLI::App& command);
-    /// Whether enclosures are requested: by --over, or by a set in the problem. Throws input_error for the options
-    /// without a problem.
-    bool given(const problem_options& problem) const;
+    /// Whether enclosures are requested: by --over, or by a set in the problem.
+    bool given(const problem_options& problem) const { return over_ || has_sets(problem); }
     /// The enclosures of all solutions at the times, or over the spans if there are no times: a row for each time or
     /// span and each unknown, time,unknown,lower,upper,rigour,time_typed or from,to,unknown,lower,upper,rigour, with
     /// bounds rounded outwards to the resolution of their distance, at most so many digits. A line on stderr states the

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "libration/problem/known/pendulum_solution.hpp"
-#include "text/input_error.hpp"
 
 namespace libration {
 
@@ -13,10 +12,6 @@ void solution_options::add_to(CLI::App& command) {
 }
 
 chosen_solution solution_options::choose(const arithmetic_options& numbers) const {
-    const auto motion = motion_.first_given();
-    if (motion && problem_.is_chosen()) {
-        throw input_error(*motion + " applies to motions of the pendulum, not to a --problem: leave one of them out");
-    }
     if (problem_.is_chosen()) {
         problem_.state_first_branch();
         return {problem_.general_solution(), "", std::to_string(usual_order_of_radius)};
@@ -27,12 +22,6 @@ chosen_solution solution_options::choose(const arithmetic_options& numbers) cons
             point,
             std::nullopt,
             {{"theta", {"coefficient", ""}}, {"theta_uncertainty", {"uncertainty", ""}}}};
-}
-
-void solution_options::require_problem(const std::string& message) const {
-    if (!problem_.is_chosen()) {
-        throw input_error(message);
-    }
 }
 
 }  // namespace libration

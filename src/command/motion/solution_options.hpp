@@ -24,15 +24,9 @@ struct chosen_solution {
 class solution_options {
 public:
     void add_to(CLI::App& command);
-    /// Whether any of them is given. Throws input_error for --set alone.
-    bool given() const { return problem_.is_chosen() || motion_.first_given(); }
-    /// The first option of a motion that is given, as "--energy '1.71'".
-    std::optional<std::string> motion_given() const { return motion_.first_given(); }
     /// The solution: of equations by Taylor series; of a motion in closed form, in an arithmetic that can represent its
-    /// energy. Throws input_error, also for options of both kinds.
+    /// energy. Throws input_error.
     chosen_solution choose(const arithmetic_options& numbers) const;
-    /// Throws input_error with this message if there is no --problem.
-    void require_problem(const std::string& message) const;
 
 private:
     motion_options motion_;

@@ -4,12 +4,16 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
+#include "option/exclusions.hpp"
+
 namespace libration {
 
-/// A subcommand of the program and its action, which returns the exit code.
+/// A subcommand of the program and its action, which returns the exit code, once its options fit together; the
+/// properties of its arguments that the table of its options names.
 struct subcommand {
     CLI::App* options;
     std::function<int()> run;
+    argument_property has = {};
 };
 
 subcommand find_command(CLI::App& program);

@@ -46,33 +46,17 @@ series_request powers_of(const coefficients_options& options) {
     return request;
 }
 
-void refuse_check(const coefficients_options& options) {
-    if (options.check) {
-        throw input_error("--check compares two proofs of the coefficients of a --problem: add --scalar ball:DIGITS");
-    }
-}
-
 // The coefficients as fractions, with --scalar rational, if the solution has them.
 std::optional<answer> fractions_of(const coefficients_options& options, const solution& of,
                                    const series_request& powers) {
     if (options.arithmetic.scalar() != "rational") {
         return std::nullopt;
     }
-    refuse_check(options);
-    if (options.point.at()) {
-        throw input_error("--at", *options.point.at(),
-                          "is not a point for fractions, which a solution has at its initial point only",
-                          "leave it out");
-    }
     return naming_option("--problem", [&] { return of.fractions(powers); });
 }
 
 int run_coefficients(const coefficients_options& options) {
     options.output.check();
-    if (options.check) {
-        options.of.require_problem("--check requires --problem: add one, or leave it out");
-    }
-    options.point.require_path(options.of);
     const chosen_solution chosen = options.of.choose(options.arithmetic);
     series_request request = powers_of(options);
     if (const auto found = fractions_of(options, *chosen.of, request)) {
@@ -80,11 +64,7 @@ int run_coefficients(const coefficients_options& options) {
         return 0;
     }
     const arithmetic numbers = options.arithmetic.choose();
-    if (numbers.scalar.kind != scalar_kind::proved) {
-        refuse_check(options);
-    }
     options.point.complete(request, chosen);
-    options.point.require_provable(numbers.scalar);
     const auto found = options.point.asking_about([&] {
         return chosen.of->series(request, {.scalar = numbers.scalar, .digits = numbers.digits, .check = options.check});
     });
@@ -107,7 +87,8 @@ subcommand coefficients_command(CLI::App& program) {
     options->point.add_to(*command);
     command->add_flag("--check", options->check,
                       "of a problem in balls: compare with a second proof by another route, exit 1 if they disagree");
-    return {command, [options] { return run_coefficients(*options); }};
+    return {command, [options] { return run_coefficients(*options); },
+            [options](std::string_view /*complex*/) { return options->point.is_complex(); }};
 }
 
 }  // namespace libration

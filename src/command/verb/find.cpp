@@ -101,20 +101,6 @@ answer found_by(const find_options& options, const problem& of, const request& h
     }
 }
 
-// Throws for a certificate of several first guesses, branches, and conditions at infinity.
-void require_certifiable(const find_options& options) {
-    if (!options.certificate) {
-        return;
-    }
-    require_output_place("--certificate", *options.certificate);
-    if (options.along || !options.guesses.empty() || std::ranges::any_of(options.conditions, is_at_infinity)) {
-        throw input_error("--certificate", *options.certificate,
-                          "contains a periodic orbit, or one solution of conditions such as y(1) = 2, and no branches, "
-                          "several guesses or limits",
-                          "leave it out");
-    }
-}
-
 // NAME = VALUES of --along.
 branch_values read_along(const find_options& options) {
     const std::string& written = *options.along;
@@ -198,26 +184,10 @@ int print_solutions(const find_options& options, const found_solutions& found, l
 
 int run_find(const find_options& options) {
     options.output.check();
-    options.problem.require();
     const long digits = digits_of(options.digits);
-    if (options.periodic == !options.unknowns.empty()) {
-        throw input_error(options.periodic
-                              ? "--periodic is given together with --unknown: leave one of them out"
-                              : "nothing to find is given: add --unknown S --such-that \"f'(5) = 1\", or --periodic");
+    if (options.certificate) {
+        require_output_place("--certificate", *options.certificate);
     }
-    if (options.unknowns.empty() && options.along) {
-        throw input_error("--along", *options.along, "is given without --unknown",
-                          "add --unknown S --such-that \"f'(5) = 1\"");
-    }
-    if (options.unknowns.empty() && !options.guesses.empty()) {
-        throw input_error("--guess", options.guesses.front(), "is given without --unknown",
-                          "use --set for the initial point of --periodic");
-    }
-    if (options.periodic && !options.conditions.empty()) {
-        throw input_error("--such-that", options.conditions.front(), "is given together with --periodic",
-                          "leave one of them out");
-    }
-    require_certifiable(options);
     const auto guesses = first_guesses(options.guesses, options.unknowns);
     const auto along = options.along ? std::optional(read_along(options)) : std::nullopt;
     const problem of(options.problem.equations(first_values(guesses.front(), along)));
@@ -307,7 +277,9 @@ subcommand find_command(CLI::App& program) {
         "--check", options->check,
         "compare with a second proof by another route, exit 1 if they disagree; with --certificate also run "
         "its checker");
-    return {command, [options] { return run_find(*options); }};
+    return {
+        command, [options] { return run_find(*options); },
+        [options](std::string_view /*limits*/) { return std::ranges::any_of(options->conditions, is_at_infinity); }};
 }
 
 }  // namespace libration

@@ -283,11 +283,6 @@ int run_journal(const journal_options& options) {
         if (options.folders.front() == "merge") {
             return merge(options);
         }
-        const int actions = static_cast<int>(options.check.has_value()) + static_cast<int>(options.file.has_value()) +
-                            static_cast<int>(options.drop);
-        if (actions > 1) {
-            throw input_error("journal: --check, --export and --drop exclude each other: give one of them");
-        }
         return options.check  ? check_journals(options)
                : options.file ? export_journals(options)
                : options.drop ? drop_journals(options)

@@ -67,20 +67,6 @@ std::vector<unknown_series> lists_of_file(const radius_options& options, const a
     return lists;
 }
 
-void require_file_alone(const radius_options& options) {
-    if (const auto motion = options.of.motion_given()) {
-        throw input_error(fmt::format("--coefficients {} is given together with {}: give a list or a motion, not both",
-                                      quotation(*options.file), *motion));
-    }
-    if (options.of.given()) {
-        throw input_error("--coefficients", *options.file, "is given together with --problem", "give one of them");
-    }
-    if (options.point.at()) {
-        throw input_error("--at", *options.point.at(), "is a point of a motion, which --coefficients do not have",
-                          "leave --at out");
-    }
-}
-
 // The results of the tests, and the coefficients if they are drawn.
 struct tested_series {
     answer found;
@@ -88,11 +74,7 @@ struct tested_series {
 };
 
 tested_series radius_of_solution(const radius_options& options, const arithmetic& numbers, bool with_coefficients) {
-    options.point.require_path(options.of);
     const chosen_solution chosen = options.of.choose(options.arithmetic);
-    if (!options.order && !chosen.usual_order) {
-        throw input_error("no --order is given: add --order N, the last power of the series");
-    }
     series_request request{.order = order_of("--order", options.order ? *options.order : *chosen.usual_order)};
     options.point.complete(request, chosen);
     return options.point.asking_about([&] {
@@ -123,14 +105,6 @@ std::string text_of(const answer& found, const table& data) {
 
 // Lower and upper bound, by discs and loops instead of coefficients.
 int prove_radius(const radius_options& options) {
-    options.of.require_problem("--prove is for differential equations: add --problem P");
-    for (const auto& [name, value] :
-         {std::pair("--order", options.order), std::pair("--at", options.point.at()),
-          std::pair("--coefficients", options.file), std::pair("--scalar", options.arithmetic.scalar())}) {
-        if (value) {
-            throw input_error(name, *value, "has no meaning for a proof about the initial point", "leave it out");
-        }
-    }
     const long digits = options.arithmetic.choose().digits;
     const chosen_solution chosen = options.of.choose(options.arithmetic);
     progress shown("radius", 1);
@@ -157,23 +131,10 @@ int prove_radius(const radius_options& options) {
 int run_radius(const radius_options& options) {
     options.output.check();
     if (options.prove) {
-        if (options.plot.given()) {
-            throw input_error("--plot draws coefficients, which --prove does not use: leave one of them out");
-        }
         return prove_radius(options);
     }
     const auto figure = options.plot.file(options.output);
-    if (options.check) {
-        throw input_error("--check compares two proofs and requires --prove: add it, or leave --check out");
-    }
     const arithmetic numbers = options.arithmetic.choose();
-    if (options.file) {
-        require_file_alone(options);
-    } else if (!options.of.given()) {
-        options.of.require_problem(
-            "no coefficients are given: add a motion (--energy E, --gap G, or --theta0 A with --omega0 W) and --order "
-            "N, or --coefficients FILE");
-    }
     const auto tested =
         options.file ? radius_of_file(options, numbers) : radius_of_solution(options, numbers, figure.has_value());
     const table data = table_of(tested.found);

@@ -115,12 +115,6 @@ partial_table states_of(const asked_solution& asked, const request& how) {
 }
 
 asked_solution motion_of_options(const reference_options& options, long digits) {
-    if (!options.times) {
-        throw input_error("no times are given: add --times LIST");
-    }
-    if (options.columns) {
-        throw input_error("--columns", *options.columns, "requires --motions", "leave it out");
-    }
     chosen_motion chosen = options.motion.choose_for({scalar_kind::proved, digits});
     auto times = times_of(*options.times, chosen.of.regime());
     return asked_of(std::move(chosen), std::move(times), *options.times);
@@ -176,43 +170,6 @@ std::vector<asked_solution> motions_of_file(const reference_options& options) {
     return asked;
 }
 
-// Throws for options that apply to motions alone.
-void refuse_motions(const reference_options& options) {
-    if (const auto other = options.motion.first_given()) {
-        throw input_error(*other + " applies to motions of the pendulum, not to a --problem: leave one of them out");
-    }
-    for (const auto& [option, value] : {std::pair("--motions", options.motions),
-                                        std::pair("--columns", options.columns), std::pair("--jobs", options.jobs)}) {
-        if (value) {
-            throw input_error(option, *value, "has no meaning for a problem", "leave it out");
-        }
-    }
-}
-
-void require_no_trace(const reference_options& options, const std::string& reason) {
-    if (options.trace) {
-        throw input_error("--trace", *options.trace, reason, "leave it out");
-    }
-}
-
-// Throws for options of the steps to given times, such as --trace, if there are none.
-void require_no_times(const reference_options& options, const std::string& reason) {
-    options.derivatives.require_absent(reason);
-    require_no_trace(options, reason);
-}
-
-void require_no_certificate(const reference_options& options, const std::string& reason) {
-    if (options.certificate) {
-        throw input_error("--certificate", *options.certificate, reason, "leave it out");
-    }
-}
-
-// Throws for options of any integration.
-void require_no_integration(const reference_options& options, const std::string& reason) {
-    options.integrator.require_absent(reason);
-    require_no_times(options, reason);
-}
-
 // Calls write(request) with the progress of a certificate, after the values themselves, which do not depend on it.
 template <class Write>
 void certify(long digits, const Write& write) {
@@ -248,36 +205,9 @@ event_searcher searcher_of(const ode::equation_system& equations, const ode::exp
     };
 }
 
-// Throws for what is written of the steps of a smooth system alone.
-void require_certifiable(const reference_options& options, const problem_options& problem) {
-    const ode::equation_system equations = problem.equations();
-    if (!equations.is_ordinary()) {
-        const char* const reason = equations.has_delays()
-                                       ? "is not supported for a problem with delays"
-                                       : "is not supported for a problem with events or a piecewise right-hand side";
-        require_no_certificate(options, reason);
-        require_no_trace(options, reason);
-        if (equations.has_delays()) {
-            options.derivatives.require_absent(reason);
-        }
-    }
-}
-
-// What enclosures of all solutions do not support.
-void require_no_extras_of_sets(const reference_options& options, const char* reason) {
-    refuse_motions(options);
-    require_no_times(options, reason);
-    require_no_certificate(options, reason);
-    if (options.check || options.plot.given()) {
-        throw input_error(fmt::format("{} {}: leave it out", options.check ? "--check" : "--plot", reason));
-    }
-}
-
 // The events of all solutions of a set, or how many there are.
 int write_events_of_sets(const reference_options& options, long digits) {
     const bool how_many = options.events.asks_how_many();
-    require_no_extras_of_sets(options, how_many ? "is not supported with --how-many"
-                                                : "is not supported with sets of initial values and parameters");
     ode::proof_route route;
     route.integrator = options.integrator.choice();
     const auto found = integrator_options::naming([&] {
@@ -293,22 +223,12 @@ int write_events_of_sets(const reference_options& options, long digits) {
 
 // The times at which a condition holds.
 int write_events(const reference_options& options, long digits) {
-    refuse_motions(options);
-    require_no_times(options, "has no meaning for --until, which finds the times itself");
-    if (options.times) {
-        throw input_error("--times", *options.times, "is given together with --until, which finds the times",
-                          "leave one out");
-    }
     if (set_options::has_sets(options.problem) || options.events.asks_how_many()) {
         return write_events_of_sets(options, digits);
     }
     const auto system = options.problem.choose_first_branch();
     const auto search = searcher_of(options.problem.equations(), system);
-    require_certifiable(options, options.problem);
     const auto request = options.events.request(options.problem, system);
-    if (request.from_start) {
-        require_no_certificate(options, "contains the times after the initial point, and not that of --from-start");
-    }
     const auto figure = options.plot.file(options.output);
     if (figure) {
         options.plot.require_known(columns_of_states(system));
@@ -339,14 +259,6 @@ int write_events(const reference_options& options, long digits) {
 
 // Enclosures of all solutions: of sets of initial values and parameters, and over spans of time.
 int write_enclosures(const reference_options& options, const std::vector<family_member>& family, long digits) {
-    const char* const reason = "is not supported with sets of initial values and parameters, or --over";
-    require_no_extras_of_sets(options, reason);
-    if (family.size() > 1) {
-        throw input_error("--set with a list of values " + std::string(reason) + ": give one value or one interval");
-    }
-    if (options.times == infinite_time) {
-        throw input_error("--times", infinite_time, reason, "write finite times");
-    }
     ode::proof_route route;
     route.integrator = options.integrator.choice();
     const auto found = integrator_options::naming(
@@ -359,11 +271,6 @@ int write_enclosures(const reference_options& options, const std::vector<family_
 }
 
 asked_solution problem_of_options(const reference_options& options, const problem_options& problem, bool general) {
-    refuse_motions(options);
-    if (!options.times) {
-        throw input_error("no times are given: add --times LIST, or --until \"x = 0\"");
-    }
-    require_certifiable(options, problem);
     auto of = problem.solution(general);
     if (options.trace && !of->closed_form().empty()) {
         throw input_error("--trace", *options.trace, "has no steps to record, since a closed form is used",
@@ -371,11 +278,6 @@ asked_solution problem_of_options(const reference_options& options, const proble
     }
     if (*options.times != infinite_time) {
         return {std::move(of), times_of_problem(*options.times), *options.times};
-    }
-    require_no_integration(options, "has no meaning for --time inf");
-    require_no_certificate(options, "does not contain --time inf");
-    if (options.check) {
-        throw input_error("--check compares two proofs, and --time inf has only one: leave it out");
     }
     return {std::move(of), {}, infinite_time};
 }
@@ -423,6 +325,21 @@ std::vector<partial_table> answered(const std::vector<asked_solution>& asked, co
     return parts;
 }
 
+// The properties of a problem that the table of options names.
+bool has(const reference_options& options, std::string_view property) {
+    if (!options.problem.is_chosen()) {
+        return false;
+    }
+    const auto family = options.problem.family();
+    if (property == "family") {
+        return family.size() > 1;
+    }
+    const ode::equation_system equations = family.front().problem.equations();
+    return property == "sets"     ? !equations.sets.empty()
+           : property == "delays" ? equations.has_delays()
+                                  : !equations.is_smooth();
+}
+
 int run_reference(const reference_options& options) {
     options.output.check();
     if (options.certificate) {
@@ -430,11 +347,7 @@ int run_reference(const reference_options& options) {
     }
     const long digits = digits_of(options.digits);
     options.integrator.choice();
-    if (!options.problem.is_chosen()) {
-        require_no_integration(options, "has no meaning without --problem");
-        require_no_certificate(options, "has no meaning without --problem");
-    }
-    if (options.events.given(options.problem)) {
+    if (options.events.given()) {
         return write_events(options, digits);
     }
     const auto family = options.problem.is_chosen() ? options.problem.family() : std::vector<family_member>(1);
@@ -442,9 +355,6 @@ int run_reference(const reference_options& options) {
         return write_enclosures(options, family, digits);
     }
     const auto figure = options.plot.file(options.output);
-    if (family.size() > 1) {
-        require_no_certificate(options, "is of one solution, and --set chooses " + std::to_string(family.size()));
-    }
     if (figure && options.problem.is_chosen()) {
         options.plot.require_known(columns_of_states(family.front().problem.choose_first_branch()));
     }
@@ -515,7 +425,8 @@ subcommand reference_command(CLI::App& program) {
         "--check", options->check,
         "compare with a second proof by another route, exit 1 if they disagree; with --certificate also run "
         "its checker");
-    return {command, [options] { return run_reference(*options); }};
+    return {command, [options] { return run_reference(*options); },
+            [options](std::string_view property) { return has(*options, property); }};
 }
 
 }  // namespace libration

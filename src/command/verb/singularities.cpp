@@ -119,9 +119,6 @@ int run_singularities(const singularities_options& options) {
     options.output.check();
     const auto figure = options.plot.file(options.output);
     const auto of = options.problem.general_solution();
-    if (options.check && !options.prove) {
-        throw input_error("--check compares two proofs and requires --prove: add it, or leave --check out");
-    }
     const long digits = options.digits ? digits_of(options.digits) : usual_digits;
     if (digits > most_digits) {
         throw input_error("--digits", *options.digits, "is more than 1000", "write a smaller number");

@@ -40,11 +40,7 @@ struct study_options {
         return result;
     }
 
-    // --problem with --set, which has no meaning without it.
     std::optional<equation_words> equation() const {
-        if (!problem && !sets.empty()) {
-            throw input_error("--set", sets.front(), "requires --problem", "add --problem P");
-        }
         return problem ? std::optional(equation_words{*problem, sets}) : std::nullopt;
     }
 };
@@ -104,21 +100,13 @@ study_shard shard_of(const std::string& words) {
     return {static_cast<std::size_t>(index - 1), static_cast<std::size_t>(count)};
 }
 
-// Throws for options about a journal if there is none.
 study_run run_of(const study_options& options) {
-    const auto refuse = [&](const std::string& option, const std::string& value) {
-        if (!options.out) {
-            throw input_error(option, value, "requires a directory for the journal", "add --out DIR");
-        }
-    };
     study_run how;
     if (options.fresh) {
-        refuse("--fresh", "");
         how.earlier = earlier_cells::replaced;
     }
     if (options.shard) {
         how.shard = shard_of(*options.shard);
-        refuse("--shard", *options.shard);
     }
     return how;
 }

@@ -110,11 +110,6 @@ trajectory_request choose(const trajectory_options& options) {
 
 // A time without digits is an empty row.
 partial_table trajectory_of_motion(const trajectory_options& options) {
-    options.integrator.require_absent("has no meaning without --problem");
-    if (options.via) {
-        throw input_error("--via", *options.via, "is a path in the complex t-plane of a --problem",
-                          "leave it out, or give the motion as --problem \"x'' = -sin(x); x(0) = 2; x'(0) = 0\"");
-    }
     const trajectory_request request = choose(options);
     partial_table found{
         table({{"time", ""}, {"theta", ""}, {"omega", ""}, {"error", ""}, {"time_typed", ""}}), {}, {}, {}};
@@ -140,17 +135,10 @@ partial_table trajectory_of_motion(const trajectory_options& options) {
 
 // Instead of a motion, any problem.
 partial_table trajectory_of_problem(const trajectory_options& options) {
-    if (const auto other = options.motion.first_given()) {
-        throw input_error(*other + " applies to motions of the pendulum, not to a --problem: leave one of them out");
-    }
     const auto& [method, approximated, by_step] = *method_among(methods_of_problem, options);
     const arithmetic numbers = options.arithmetic.choose();
     options.integrator.choice();
     if (approximated) {
-        options.integrator.require_absent("has no meaning for --method " + method);
-        if (options.via || has_imaginary_unit(options.times)) {
-            throw input_error("--method", method, "is limited to real times", "leave --method out for complex ones");
-        }
         return naming_option("--problem", [&] {
             return partial_table{problem_approximation(options.problem, {method, order_of("--order", *options.order)},
                                                        times_of_problem(options.times), numbers),
@@ -263,7 +251,8 @@ subcommand trajectory_command(CLI::App& program) {
     command->add_option("--step", options->step, fmt::format("step of rk4 in dimensionless time, else {}", usual_step))
         ->type_name("H");
     command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");
-    return {command, [options] { return run_trajectory(*options); }};
+    return {command, [options] { return run_trajectory(*options); },
+            [options](std::string_view /*complex*/) { return has_imaginary_unit(options->times); }};
 }
 
 }  // namespace libration

@@ -171,20 +171,6 @@ std::optional<rational> tolerance_of(const char* option, const std::optional<std
 }
 
 compare_rules rules_of(const verify_options& options) {
-    for (const auto& [name, value] :
-         {std::pair{"--tolerance", &options.tolerance}, {"--relative", &options.relative}}) {
-        if (options.ulps && *value) {
-            throw input_error("--ulp", *options.ulps, fmt::format("comes together with {} '{}'", name, **value),
-                              "give one of the two");
-        }
-    }
-    for (const auto& [name, value] :
-         {std::pair{"--tolerance", &options.tolerance}, {"--relative", &options.relative}, {"--ulp", &options.ulps}}) {
-        if (options.rounding && *value) {
-            throw input_error(name, **value, "comes together with --rounding, which is another tolerance",
-                              "give one of the two");
-        }
-    }
     if (options.inputs && options.inputs != "decimal" && options.inputs != "double") {
         throw input_error("--inputs", *options.inputs, "is neither decimal nor double",
                           "write decimal for numbers as typed, double for their nearest doubles");

@@ -73,12 +73,6 @@ std::unique_ptr<row_subject> row_subject_of(const problem_options& problem, cons
         check_motion(motion);
         return std::make_unique<columns_subject>(motion, rules);
     }
-    if (const auto other = motion.first_given()) {
-        throw input_error(*other + " is of a motion of the pendulum, which --problem replaces: leave one of them out");
-    }
-    if (rules.modulo_turn) {
-        throw input_error("--modulo-2pi has no meaning for --problem: leave it out");
-    }
     return std::make_unique<problem_layout>(problem.choose(), problem.equations(), rules);
 }
 
