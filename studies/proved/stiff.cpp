@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "../shared/named_choice.hpp"
-#include "libration/integration/proved_march.hpp"
+#include "libration/equation/constant_value.hpp"
+#include "libration/integration/integration.hpp"
 #include "libration/problem/problem_family.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "stiff_problems.hpp"
@@ -83,7 +84,10 @@ double digits_of(const std::vector<ball>& values) {
 // Follows one solution and counts steps.
 class stiff_run {
 public:
-    stiff_run(const ode::explicit_system& system, long bits) : system_(system), bits_(bits), march_(system, bits) {
+    stiff_run(const ode::explicit_system& system, long bits)
+        : system_(system),
+          bits_(bits),
+          along_(ode::start_of(system, bits), ode::rule_for(system, {bits}), ode::infinite_distance(1), bits) {
         explicit_route_.integrator = ode::integrator_choice::taylor;
     }
 
@@ -93,28 +97,25 @@ public:
         const ball target = ode::constant_value<ball>::of(time);
         for (;;) {
             const auto begin = clock::now();
-            const ball rest = target - march_.reached();
-            const ode::enclosed_step* const step = march_.prepare_towards(rest);
-            if (step == nullptr) {
+            const ode::step* const here = along_[number_];
+            if (here == nullptr) {
                 throw error(error_kind::undecided, "time", as_text(time), "is not reached with these digits");
             }
-            const bool last = step->reaches(rest);
-            const ball way = last ? rest : step->length_of_step();
-            auto values = last ? step->values_at(rest) : std::vector<ball>();
-            const double passed = length_of_explicit_step(step->values_at(ball(0)), begin);
+            const ball rest = target - here->from().time;
+            const bool last = here->reaches(rest);
+            const ball way = last ? rest : here->length();
+            auto values = last ? here->values(rest) : std::vector<ball>();
+            const double passed = length_of_explicit_step(here->values(ball(0)), begin);
             if (last) {
                 part_ = rounded(way) / passed;
                 return values;
             }
-            const auto begin_of_step = clock::now();
-            march_.take_prepared(1);
-            seconds_ += seconds_since(begin_of_step);
+            along_.forget_before(number_++);
             explicit_steps_ += rounded(way) / passed;
-            ++steps_;
         }
     }
 
-    long steps() const { return steps_ + 1; }
+    long steps() const { return static_cast<long>(number_) + 1; }
     double explicit_steps() const { return std::max(explicit_steps_ + part_, static_cast<double>(steps())); }
     double seconds() const { return seconds_; }
 
@@ -134,19 +135,22 @@ private:
         for (const ball& each : state) {
             centre.push_back(ode::exact_midpoint(each));
         }
-        ode::proved_march there(system_, centre, bits_, ode::proved_march::usual_error_bits, {}, explicit_route_);
-        const ode::proved_step* const step = there.prepare();
+        ode::flow_state start = ode::start_of(system_, bits_);
+        start.set = ode::box_around(centre, bits_);
+        ode::integration there(std::move(start), ode::rule_for(system_, {bits_}, explicit_route_),
+                               ode::infinite_distance(1), bits_);
+        const ode::step* const step = there[0];
         if (step == nullptr) {
             throw error(error_kind::undecided, "time", "", "has no step of Taylor series to compare with");
         }
-        return rounded(step->length_of_step());
+        return rounded(step->length());
     }
 
     const ode::explicit_system& system_;
     long bits_;
     ode::proof_route explicit_route_;
-    ode::proved_march march_;
-    long steps_ = 0;
+    ode::integration along_;
+    std::size_t number_ = 0;
     double explicit_steps_ = 0, part_ = 0, seconds_ = 0;
 };
 

@@ -11,7 +11,7 @@ EVENTS = "src/libration/event/zero_search.cpp"
 KNOWN = "src/libration/problem/known/"
 SHOOTING = "src/libration/problem/known/shooting.cpp"
 ATOM = "src/libration/problem/known/thomas_fermi.cpp"
-MARCH = "src/libration/integration/proved_march.cpp"
+SERIES_RULE = "src/libration/integration/taylor/taylor_rule.cpp"
 ROOT = "src/libration/query/krawczyk.cpp"
 BOUNDS = "src/libration/plane/radius_bound.cpp"
 PLACE = "src/libration/plane/proved_singularity.cpp"
@@ -77,7 +77,7 @@ ARGUED = {
         "an unknown that is 0 has been moved by 0 exactly; kept for enclosures of it",
     (EVENTS, "if (open_) {"): "a monotone function does not turn: it says a mistake of the library",
     (EVENTS, "if (parts_.empty()) {"): "the zero of joined pieces is on one of them: it says a mistake of the library",
-    (EVENTS, "const bool narrow = no_use || p.is_narrow(march_.bits());"):
+    (EVENTS, "const bool narrow = no_use || p.is_narrow(bits_);"):
         "in a piece so short the rounding of the value in the middle exceeds its change; kept, because the halving ends by it",
     (EVENTS, "(behind && known_sign(of_state(slope_, last * direction_)) != bent)) {"):
         "a slope that is too wide to have a sign behind the turn has none before it, where it is asked for first",
@@ -89,9 +89,9 @@ ARGUED = {
     (EVENTS, "const int sign = inside ? sign_at(place) : 0;"): "as above",
     (EVENTS, "return cut(last) || before;"):
         "g is known at three quarters where it is at one quarter, unless its enclosures are much wider there",
-    (MARCH, "for (int halving = 0; halving < most_halvings_for_width && now > significant_uncertainty; ++halving) {"):
+    (SERIES_RULE, "for (int halving = 0; halving < most_halvings_for_width && now > significant_uncertainty; ++halving) {"):
         "a limit of the work: any length of a step is valid, and no set of the tests needs one 32 times as short",
-    (MARCH, "if (choose_length() && !expand_set()) {"): "a set that has an expansion has one with more bits",
+    (SERIES_RULE, "if (bits > set_bits_) {"): "a set that has an expansion has one with more bits",
     (SHOOTING, "if (difference == 0) {"): "steers the guess, proves nothing: two values that differ have missed differently",
     (SHOOTING, "if (mpfr_number_p(handle(value)) == 0) {"):
         "steers the guess: solutions from bad guesses end before, by an error",

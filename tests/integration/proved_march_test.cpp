@@ -173,7 +173,7 @@ TEST_CASE("a solution that ends says up to where it is proved", "[ode][proved]")
     const explicit_system system(parse("y' = y^2; y(0) = 1"));
     proved_march march(system, 100);
     CHECK_FALSE(march.at(number(rational(2))).has_value());
-    CHECK(march.end() == march_end::steps);
+    CHECK(march.end() == stop::step_too_small);
     const precision_scope scope(40);
     CHECK(certainly_less(march.reached(), ball(1)));
     CHECK(certainly_less(ball(999'999) / 1'000'000, march.reached()));
@@ -189,7 +189,7 @@ TEST_CASE("a set that grows too wide asks for more bits", "[ode][proved]") {
         parse("x' = 10*(y - x); y' = x*(28 - z) - y; z' = x*y - 8/3*z; x(0) = 1; y(0) = 0; z(0) = 0"));
     proved_march march(system, 70);
     CHECK_FALSE(march.at(number(rational(60))).has_value());
-    CHECK(march.end() == march_end::precision);
+    CHECK(march.end() == stop::precision);
 }
 
 // Every problem of the catalogue whose start is regular, a little way, in two precisions: the enclosures meet, the

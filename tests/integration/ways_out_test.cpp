@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "libration/equation/constant_value.hpp"
 #include "libration/equation/text/parse.hpp"
 #include "libration/event/zero_search.hpp"
 #include "libration/expansion/step_pieces.hpp"
@@ -43,11 +44,12 @@ explicit_system flows() { return typed("z' = -z; w' = w; z(0) = 1; w(0) = 1"); }
 
 // The end of a quarter of the first step of a search for events of the flows, exactly.
 rational part_of_first_step(int quarters) {
-    proved_march march(flows(), bits_of_flows);
-    const proved_step* const step = march.prepare();
-    REQUIRE(step != nullptr);
+    integration along(start_of(flows(), bits_of_flows), rule_for(flows(), {bits_of_flows}), infinite_distance(1),
+                      bits_of_flows);
+    const step* const first = along[0];
+    REQUIRE(first != nullptr);
     const precision_scope scope(decimal_digits(bits_of_flows));
-    const mpfr distance = midpoint_of(exact_multiple(step->length().exact(), static_cast<unsigned long>(quarters), -2));
+    const mpfr distance = midpoint_of(exact_multiple(first->length(), static_cast<unsigned long>(quarters), -2));
     rational time;
     mpfr_get_q(time.backend().data(), handle(distance));
     return time;
@@ -98,7 +100,7 @@ TEST_CASE("a march with many bits says how far it is after every step", "[ode][p
 TEST_CASE("an equilibrium is not marched in a set where its equation has no value", "[ode][proved]") {
     proved_march march(typed("y' = y/z; z' = 0; y(0) = 0; z(0) = 1"), {ball(0), about(ball(1), 1)}, 120);
     CHECK_FALSE(march.at(ball(1)));
-    CHECK(march.end() == march_end::precision);
+    CHECK(march.end() == stop::precision);
 }
 
 // x' = 1/y at y = 0, about it, and so near that the set reaches 0.
@@ -109,10 +111,10 @@ TEST_CASE("a march ends where a quotient has no value", "[ode][proved]") {
         CHECK_FALSE(march.at(ball(1)));
         return march.end();
     };
-    CHECK(end_from(ball(0)) == march_end::steps);
-    CHECK(end_from(about(ball(0), -60)) == march_end::precision);
-    CHECK(end_from(about(pow(ball(2), -40), -39)) == march_end::precision);
-    CHECK(end_from(about(pow(ball(2), -60), -59)) == march_end::precision);
+    CHECK(end_from(ball(0)) == stop::step_too_small);
+    CHECK(end_from(about(ball(0), -60)) == stop::precision);
+    CHECK(end_from(about(pow(ball(2), -40), -39)) == stop::precision);
+    CHECK(end_from(about(pow(ball(2), -60), -59)) == stop::precision);
 }
 
 // t = c with c at the end of a quarter of the first step: it is on both sides of it, and counted once.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "libration/equation/text/parse.hpp"
-#include "libration/integration/delay/delay_steps.hpp"
+#include "libration/integration/delay/delay_rule.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"
@@ -101,8 +101,9 @@ TEST_CASE("enclosures of events contain them in any precision", "[ode][delay][ev
         const auto g = parse_condition(given, "x = 0");
         for (const long bits : {40L, 50L, 64L}) {
             INFO(delay << ", " << bits << " bits");
-            delay_steps steps(system, bits);
-            zero_search search(system.first_equations(), g, steps);
+            integration along({constant_value<ball>::of(system.point()), {}, {}, {}},
+                              std::make_shared<delay_rule>(system, bits), infinite_distance(1), bits);
+            zero_search search(system.first_equations(), g, along, bits);
             const ball unit = constant_value<ball>::of(parse_constant(delay).constant());
             for (long k = 0; k < 6; ++k) {
                 const auto event = search.next(crossing::any, std::nullopt);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "corner_numbers.hpp"
+#include "libration/equation/constant_value.hpp"
 #include "libration/equation/text/parse.hpp"
 #include "libration/query/proved_events.hpp"
 #include "libration/scalar/ball/functions.hpp"

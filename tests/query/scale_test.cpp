@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "libration/equation/constant_value.hpp"
 #include "libration/equation/text/parse.hpp"
 #include "libration/number/exact.hpp"
 #include "libration/query/states.hpp"

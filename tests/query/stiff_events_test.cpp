@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "libration/equation/constant_value.hpp"
 #include "libration/equation/text/parse.hpp"
 #include "libration/integration/collocation/tube_proof.hpp"
 #include "libration/query/proved_events.hpp"

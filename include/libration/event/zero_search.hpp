@@ -8,7 +8,7 @@
 #include "libration/equation/first_order_form.hpp"
 #include "libration/expansion/start_sign.hpp"
 #include "libration/expansion/step_pieces.hpp"
-#include "libration/integration/proved_march.hpp"
+#include "libration/integration/integration.hpp"
 
 namespace libration::ode {
 
@@ -25,7 +25,7 @@ struct proved_event {
 enum class search_end {
     none,
     time,       ///< no event up to the given end; the next zero is certainly beyond it
-    horizon,    ///< no event within so many steps of the integrator, up to march().reached()
+    horizon,    ///< no event within so many steps of the integrator, up to reached()
     precision,  ///< an enclosure is too wide: more bits are needed to continue
     steps,      ///< the steps of the integrator become too small, as near a singularity
     undecided   ///< in undecided() this precision does not determine whether g has a zero
@@ -40,9 +40,8 @@ struct undecided_place {
     bool too_many_pieces = false;
 };
 
-/// The beginning of a search from a set of states at the point of the system.
+/// The beginning of a search along the steps from a set of states at the point of the system.
 struct search_start {
-    std::vector<ball> state;
     /// A ball that contains the time after which zeros are searched, and no time before the point; the point itself if
     /// there is none. The solutions are continued back from that time to the point by the equations.
     std::optional<ball> begins = {};
@@ -50,12 +49,12 @@ struct search_start {
     int order = 0;  ///< of the first nonzero derivative of g at that time, which has this sign
 };
 
-/// The same from all states of a set, directly after the point of the system.
+/// The beginning of a search from all states of a set, directly after the point of the system.
 struct set_start {
     state_set states;
     int sign = 1;                  ///< of g at the point, or of its derivative if g is 0 for all of them
     bool at_zero = false;          ///< whether it is
-    bool keeps_derivative = true;  ///< proved_march::keep_derivative
+    bool keeps_derivative = true;  ///< by the states
 };
 
 /// All zeros of gamma(t) = g(t, y(t)) in the open interval after the initial point, in order: theorem E.
@@ -70,7 +69,7 @@ struct set_start {
 ///     of one of the joined pieces.
 ///   - gamma''(S) excludes 0: gamma turns at most once on S. The point is enclosed by Newton's method for gamma', and
 ///     gamma is monotone before and after it, if the signs of gamma' at its ends prove it.
-/// On a step of theorem K gamma'(S) is enclosed by g_t(y) + sum_i g_(y_i)(y) y_i', y_i' from enclosed_step::slopes_at, as
+/// On a step of theorem K gamma'(S) is enclosed by g_t(y) + sum_i g_(y_i)(y) y_i', y_i' from step::slopes, as
 /// large terms of f cancel along a stiff solution; gamma'' is not used there.
 ///   - otherwise S is halved, at 0 and over several orders of magnitude by exponents, so that no scale is favoured. If
 ///     the radius of gamma(m) is as large as the variation of gamma on S, halving is useless: `undecided`.
@@ -81,22 +80,23 @@ class zero_search {
 public:
     /// g in unknowns, their lower derivatives and the variable of the system. Integrates from the initial point of the
     /// system with so many bits, in the direction of time (< 0: backwards); `watch` is called after each step. Throws
-    /// error like sign_at_start, and for a singular initial point if g has a zero within the first step, or backwards.
+    /// error like sign_at_start, and for a singular initial point if g may be 0 there, or backwards.
     zero_search(const explicit_system& system, const expression& g, long bits, int direction = 1,
                 const proof_route& route = {}, march_watch watch = {});
-    /// The same forwards from a set of states. A zero whose time is not certainly after start.begins need not be one of
-    /// the solution.
-    zero_search(const explicit_system& system, const expression& g, const search_start& start, long bits,
-                const proof_route& route = {}, march_watch watch = {});
-
     /// The same in the direction of time (< 0: backwards) from a set of any width: an event is one of every solution, in
     /// the enclosures of its time and state.
     zero_search(const explicit_system& system, const expression& g, const set_start& start, long bits, int direction,
                 const proof_route& route = {}, march_watch watch = {});
 
-    /// The same along the steps of a solution that satisfies the equations of the system only near its initial point,
-    /// forwards. The steps enclose the values and slopes of the leaves of the system and must outlive this object.
-    zero_search(const explicit_system& system, const expression& g, enclosed_steps& steps, march_watch watch = {});
+    /// The same forwards along the steps of a solution, which satisfies the equations of the system at least near its
+    /// initial point, and of which they enclose the values and, if it does not satisfy them everywhere, the slopes. The
+    /// steps must outlive this object, and may be shared.
+    zero_search(const explicit_system& system, const expression& g, step_sequence& along, long bits,
+                march_watch watch = {});
+    /// The same from a set of states. A zero whose time is not certainly after start.begins need not be one of the
+    /// solution.
+    zero_search(const explicit_system& system, const expression& g, step_sequence& along, const search_start& start,
+                long bits);
 
     /// Maximum number of pieces of one step of a search.
     static constexpr long most_pieces_of_a_step = 4'000;
@@ -111,9 +111,15 @@ public:
     std::optional<proved_event> next(crossing way, const std::optional<number>& end,
                                      const std::optional<long>& horizon = std::nullopt);
 
-    /// The integrator; not of given steps.
-    const proved_march& march() const { return *own_; }
-    const enclosed_steps& steps() const { return march_; }
+    /// The beginning of the step that is searched, or the time up to which the solution is proved to exist.
+    const ball& reached() const { return time_; }
+    /// The number of that step, and the steps up to there, of which one of collocation counts as several.
+    std::size_t number_of_step() const { return number_; }
+    long steps() const { return steps_; }
+    /// The derivative of the flow at reached(), if it is kept.
+    std::optional<ball_matrix> derivative();
+    /// Where its own integration used collocation.
+    const collocation_use& collocation() const { return own_->collocation(); }
     search_end end() const { return end_; }
     const undecided_place& undecided() const { return *undecided_; }
 
@@ -130,7 +136,7 @@ private:
     };
 
     void begin_at(const number& point);
-    void require_no_event_before_first_step(const ball& start);
+    void begin_at_singular(const flow_state& start);
     // Rounded outwards; the bounds of a step are still valid, since they are those of the distance itself.
     ball span_of(const step_piece& p) const { return hull(p.from, p.to) * direction_; }
     sample sampled(const ball& distance) const;
@@ -140,7 +146,8 @@ private:
     ball slope_at(const ball& distance, expression_values<ball>& values) const;
     int sign_at(const ball& distance) const;
     bool covers_beginning(const step_piece& p) const;
-    bool is_start(const step_piece& p) const { return start_.order > 0 && march_.steps() == 0 && p.at_0(); }
+    bool is_start(const step_piece& p) const { return start_.order > 0 && number_ == 0 && p.at_0(); }
+    void leave_step();
     bool begin_step(const std::optional<ball>& end, long last_step);
     verdict judged(step_piece& p);
     verdict judged_at_start(const step_piece& p);
@@ -158,21 +165,24 @@ private:
     expression g_, slope_;
     std::vector<expression> gradient_;     // the derivatives of g with respect to the leaves, and to the variable
     std::optional<expression> curvature_;  // computed on demand
-    std::unique_ptr<proved_march> own_;
-    enclosed_steps& march_;
-    long digits_;
+    std::unique_ptr<integration> own_;
+    step_sequence& along_;
+    long bits_, digits_;
     int direction_;
     march_watch watch_;
     start_sign start_;
-    std::optional<ball> after_;            // the end of the ball in which a search from a set begins
-    int sign_ = 1;                         // of g when it was last certain
-    bool open_ = false;                    // g has been monotone towards 0 since then
-    std::vector<proved_event> parts_;      // and the possible locations of its zero on these pieces
-    std::vector<step_piece> pieces_;       // of the current step, the next one last
-    long examined_ = 0;                    // number of halved pieces
-    const enclosed_step* step_ = nullptr;  // that is being examined
-    bool has_own_slopes_ = false;          // enclosed_step::slopes_at
-    std::optional<proved_event> beyond_;   // found behind the end of a search
+    std::optional<ball> after_;           // the end of the ball in which a search from a set begins
+    int sign_ = 1;                        // of g when it was last certain
+    bool open_ = false;                   // g has been monotone towards 0 since then
+    std::vector<proved_event> parts_;     // and the possible locations of its zero on these pieces
+    std::vector<step_piece> pieces_;      // of the current step, the next one last
+    long examined_ = 0;                   // number of halved pieces
+    std::size_t number_ = 0;              // of the step that is being examined
+    const step* step_ = nullptr;          // that step
+    ball time_;                           // its beginning, or the end of the one before
+    long steps_ = 0;                      // up to there
+    bool has_own_slopes_ = false;         // step::slopes
+    std::optional<proved_event> beyond_;  // found behind the end of a search
     search_end end_ = search_end::none;
     std::optional<undecided_place> undecided_;
 };

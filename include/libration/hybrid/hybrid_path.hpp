@@ -45,14 +45,22 @@ struct path_piece {
     explicit path_piece(explicit_system of) : system(std::move(of)) {}
 
     explicit_system system;                       ///< from the state at its point
+    std::unique_ptr<integration> along = {};      ///< the steps from that state
     step_values steps;                            ///< the values of the step functions
     std::optional<std::vector<ball>> state = {};  ///< at the point; std::nullopt for the exact initial values
     std::optional<ball> begins = {};              ///< the time of the event at which it begins, unless that is exact
     std::vector<ball> on_the_way = {};            ///< the states at the times of that ball, after the event
 };
 
+/// The rule for the steps on all branches with these equations.
+struct followed_mode {
+    std::vector<expression> slopes;
+    std::shared_ptr<step_rule> rule;
+};
+
 /// The solution of a hybrid system, by one run with so many bits, as a sequence of branches. Each is integrated from a
-/// set (theorem V) up to the first zero of one of its surfaces (theorem E). Let T be a ball that contains its time t*,
+/// set (theorem V), once for all questions, up to the first zero of one of its surfaces (theorem E). Let T be a ball that
+/// contains its time t*,
 /// and A the states after the event. Z contains A + [-w, w] f(Z) for the right-hand side f of the next branch and w = the
 /// diameter of T; so the solution of that branch through each state of A at t* exists at all times of T and is in Z
 /// there, by Picard's theorem. At the lower end c of T it is in A + (c - T) f(Z): the next branch is integrated from this
@@ -71,9 +79,9 @@ public:
                 const expression* observed = nullptr, crossing observed_way = crossing::any);
     ~hybrid_path();
 
-    /// The state at a time, which increases from call to call; of an event the state after it, and at a time that is
-    /// not distinguished from that of an event both; a derivative that may not exist there is unbounded. Events are
-    /// searched up to `last`, the same in all calls. std::nullopt for the reason end().
+    /// The state at a time, which increases from call to call up to `last`, the same in all calls; of an event the state
+    /// after it, and at a time that is not distinguished from that of an event both; a derivative that may not exist
+    /// there is unbounded. std::nullopt for the reason end().
     std::optional<std::vector<ball>> at(const number& time, const number& last);
     /// The next zero of the observed function, with the state before an event at the same time; without an end of the
     /// search within so many steps after the last event.
@@ -86,6 +94,8 @@ public:
     path_end end() const { return end_; }
     /// Why the path ends, for messages.
     const std::string& reason() const { return reason_; }
+    /// The steps on all branches up to now.
+    long steps() const { return steps_ + (piece_->along ? piece_->along->cost() : 0); }
     /// The number of events that change the solution or its branch.
     long events() const { return count_; }
     /// The time of the last of them, or the initial time.
@@ -103,6 +113,8 @@ private:
     };
 
     void note_relations(const std::vector<std::size_t>& steps);
+    std::shared_ptr<step_rule> rule_of_branch();
+    void begin_steps();
     bool search_branch(const branch_beginning* beginning);
     path_event event_of(const found_crossing& found) const;
     crossing way_of(const surface& of) const;
@@ -110,7 +122,7 @@ private:
     bool is_observed(const surface& of, crossing way) const;
     bool happens(const crossing_effect& event, crossing way) const;
     bool has_effect(const surface& of, crossing way) const;
-    bool find(const std::optional<number>& end, long horizon);
+    bool find(const std::optional<number>& end, const std::optional<number>& farthest, long horizon);
     std::vector<expression> reset_leaves();
     std::vector<std::size_t> crossed_steps() const;
     std::vector<expression> zero_functions() const;
@@ -135,8 +147,10 @@ private:
     const expression* observed_;
     crossing observed_way_;
     std::unique_ptr<path_piece> piece_;
+    std::vector<followed_mode> modes_;       // up to now
     std::unique_ptr<branch_search> search_;  // on the branch
-    std::unique_ptr<proved_march> march_;    // for states on it
+    std::size_t state_step_ = 0;             // of the last state that was asked on it
+    long steps_ = 0;                         // on the branches before
     std::optional<path_event> next_;         // at which the branch ends
     std::vector<crossed_surface> crossed_;   // there
     std::vector<expression> reset_values_;   // of all resets there, also of those that a later one replaces

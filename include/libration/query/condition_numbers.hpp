@@ -40,7 +40,7 @@ public:
     /// The changes of these values, for an integration of system() that keeps its derivative, at a time where it has
     /// this state. by_rounding is 0 below 10^-negligible |y|. Returns std::nullopt if more bits are needed, also in the
     /// error maps.
-    std::optional<std::vector<moved_value>> moved(const proved_march& march, const number& time,
+    std::optional<std::vector<moved_value>> moved(proved_march& march, const number& time,
                                                   const std::vector<ball>& state, long negligible) const;
 
 private:

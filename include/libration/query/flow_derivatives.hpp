@@ -42,7 +42,7 @@ public:
     /// At a time for which at() of an integration of system() has just been called, which keeps its derivative (chain
     /// rule). The derivative by a number on which an unknown does not depend is an exact 0. Throws error of the kind
     /// undecided at a singular initial point.
-    state_derivatives at(const proved_march& march, const number& time) const;
+    state_derivatives at(proved_march& march, const number& time) const;
 
 private:
     parametric_system open_;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "libration/equation/explicit_system.hpp"
+#include "libration/expansion/taylor_expansion.hpp"
 #include "libration/query/condition_numbers.hpp"
 #include "libration/verification/row_question.hpp"
 

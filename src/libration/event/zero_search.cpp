@@ -26,6 +26,20 @@ std::vector<expression> gradient_of(const first_order_form& form, const expressi
     return derivatives;
 }
 
+std::unique_ptr<integration> steps_from(flow_state start, const explicit_system& system, long bits, int direction,
+                                        const proof_route& route, error_weights weights) {
+    return std::make_unique<integration>(std::move(start), rule_for(system, {bits}, route, weights),
+                                         infinite_distance(direction), bits);
+}
+
+flow_state state_at_start(const explicit_system& system, const set_start& start, long bits) {
+    flow_state state{start_of(system, bits).time, start.states, {}, {}};
+    if (start.keeps_derivative) {
+        state.derivative = unit_derivative(start.states.centre.size());
+    }
+    return state;
+}
+
 }  // namespace
 
 zero_search::zero_search(const explicit_system& system, const expression& g, long bits, int direction,
@@ -34,37 +48,19 @@ zero_search::zero_search(const explicit_system& system, const expression& g, lon
       g_(form_.in_leaves(g)),
       slope_(form_.slope_of(g_)),
       gradient_(gradient_of(form_, g_)),
-      own_(std::make_unique<proved_march>(system, bits, march_watch{}, proved_march::usual_error_bits, route)),
-      march_(*own_),
+      own_(steps_from(start_of(system, bits), system, bits, direction, route, error_weights::relative)),
+      along_(*own_),
+      bits_(bits),
       digits_(decimal_digits(bits) + 10),
       direction_(direction < 0 ? -1 : 1),
-      watch_(std::move(watch)) {
+      watch_(std::move(watch)),
+      time_(start_of(system, bits).time) {
     const precision_scope scope(digits_);
     if (system.singular()) {
-        require_no_event_before_first_step(constant_value<ball>::of(system.point()));
+        begin_at_singular(start_of(system, bits));
         return;
     }
     begin_at(system.point());
-}
-
-zero_search::zero_search(const explicit_system& system, const expression& g, const search_start& start, long bits,
-                         const proof_route& route, march_watch watch)
-    : form_(system),
-      g_(form_.in_leaves(g)),
-      slope_(form_.slope_of(g_)),
-      gradient_(gradient_of(form_, g_)),
-      own_(std::make_unique<proved_march>(system, start.state, bits, proved_march::usual_error_bits, march_watch{},
-                                          route)),
-      march_(*own_),
-      digits_(decimal_digits(bits) + 10),
-      direction_(1),
-      watch_(std::move(watch)),
-      start_{start.order, start.sign, g_},
-      after_(start.begins ? std::optional(upper_bound(*start.begins)) : std::nullopt),
-      sign_(start.sign) {
-    for (int k = 0; k < start.order; ++k) {
-        start_.leading = form_.slope_of(start_.leading);
-    }
 }
 
 zero_search::zero_search(const explicit_system& system, const expression& g, const set_start& start, long bits,
@@ -73,29 +69,49 @@ zero_search::zero_search(const explicit_system& system, const expression& g, con
       g_(form_.in_leaves(g)),
       slope_(form_.slope_of(g_)),
       gradient_(gradient_of(form_, g_)),
-      own_(std::make_unique<proved_march>(system, start.states, bits, march_watch{}, route)),
-      march_(*own_),
+      own_(steps_from(state_at_start(system, start, bits), system, bits, direction, route, error_weights::any_width)),
+      along_(*own_),
+      bits_(bits),
       digits_(decimal_digits(bits) + 10),
       direction_(direction < 0 ? -1 : 1),
       watch_(std::move(watch)),
       start_{start.at_zero ? 1 : 0, start.sign, start.at_zero ? slope_ : g_},
-      sign_(start_.beside(direction_)) {
-    if (start.keeps_derivative) {
-        own_->keep_derivative();
-    }
-}
+      sign_(start_.beside(direction_)),
+      time_(start_of(system, bits).time) {}
 
-zero_search::zero_search(const explicit_system& system, const expression& g, enclosed_steps& steps, march_watch watch)
+zero_search::zero_search(const explicit_system& system, const expression& g, step_sequence& along, long bits,
+                         march_watch watch)
     : form_(system),
       g_(form_.in_leaves(g)),
       slope_(form_.slope_of(g_)),
       gradient_(gradient_of(form_, g_)),
-      march_(steps),
-      digits_(decimal_digits(steps.bits()) + 10),
+      along_(along),
+      bits_(bits),
+      digits_(decimal_digits(bits) + 10),
       direction_(1),
-      watch_(std::move(watch)) {
+      watch_(std::move(watch)),
+      time_(start_of(system, bits).time) {
     const precision_scope scope(digits_);
     begin_at(system.point());
+}
+
+zero_search::zero_search(const explicit_system& system, const expression& g, step_sequence& along,
+                         const search_start& start, long bits)
+    : form_(system),
+      g_(form_.in_leaves(g)),
+      slope_(form_.slope_of(g_)),
+      gradient_(gradient_of(form_, g_)),
+      along_(along),
+      bits_(bits),
+      digits_(decimal_digits(bits) + 10),
+      direction_(1),
+      start_{start.order, start.sign, g_},
+      after_(start.begins ? std::optional(upper_bound(*start.begins)) : std::nullopt),
+      sign_(start.sign),
+      time_(start_of(system, bits).time) {
+    for (int k = 0; k < start.order; ++k) {
+        start_.leading = form_.slope_of(start_.leading);
+    }
 }
 
 void zero_search::begin_at(const number& point) {
@@ -103,14 +119,13 @@ void zero_search::begin_at(const number& point) {
     sign_ = start_.beside(direction_);
 }
 
-void zero_search::require_no_event_before_first_step(const ball& start) {
+void zero_search::begin_at_singular(const flow_state& start) {
     if (direction_ < 0) {
         throw error(error_kind::argument, "problem", "",
                     "has a singular initial point, and events are searched only after it");
     }
-    expression_values<ball> values(form_.leaves, hull(start, march_.reached()));
-    const bool begins_at_start = own_->before().empty();
-    for (const ball& each : begins_at_start ? own_->set().hull() : own_->before()) {
+    expression_values<ball> values(form_.leaves, start.time);
+    for (const ball& each : start.set.hull()) {
         values.push_back(each);
     }
     sign_ = known_sign(values.of(g_));
@@ -118,6 +133,13 @@ void zero_search::require_no_event_before_first_step(const ball& start) {
         throw error(error_kind::undecided, "event", "",
                     "is not excluded within the first step from the initial point, where the equation is singular");
     }
+}
+
+std::optional<ball_matrix> zero_search::derivative() {
+    if (step_ != nullptr) {
+        return step_->from().derivative;
+    }
+    return own_->last().derivative;
 }
 
 const expression& zero_search::curvature() {
@@ -129,8 +151,8 @@ const expression& zero_search::curvature() {
 
 // The values of expressions in leaves at a distance.
 expression_values<ball> zero_search::values_at(const ball& distance) const {
-    expression_values<ball> values(form_.leaves, march_.reached() + distance);
-    for (const ball& each : step_->values_at(distance)) {
+    expression_values<ball> values(form_.leaves, time_ + distance);
+    for (const ball& each : own_ ? step_->values(distance) : step_->shared_values(distance)) {
         values.push_back(each);
     }
     return values;
@@ -143,7 +165,7 @@ zero_search::sample zero_search::sampled(const ball& distance) const {
 
 // gamma' at the values at a distance.
 ball zero_search::slope_at(const ball& distance, expression_values<ball>& values) const {
-    const std::vector<ball> slopes = step_->slopes_at(distance);
+    const std::vector<ball> slopes = step_->slopes(distance);
     if (slopes.empty()) {
         return values.of(slope_);
     }
@@ -170,7 +192,7 @@ std::optional<proved_event> zero_search::at_start() const {
     if (start_.order == 0) {
         return std::nullopt;
     }
-    proved_event event{march_.reached(), {}, crossing::any};
+    proved_event event{time_, {}, crossing::any};
     for (const number& each : form_.starts) {
         event.state.push_back(constant_value<ball>::of(each));
     }
@@ -182,7 +204,7 @@ std::optional<proved_event> zero_search::at_start() const {
 
 // Whether a piece from the initial point contains the whole ball in which a search from a set begins.
 bool zero_search::covers_beginning(const step_piece& p) const {
-    return !after_ || !exactly_less(lower_bound(march_.reached() + p.to), *after_);
+    return !after_ || !exactly_less(lower_bound(time_ + p.to), *after_);
 }
 
 // No zero except at the initial point: gamma^(k) excludes 0 on the piece.
@@ -192,14 +214,14 @@ zero_search::verdict zero_search::judged_at_start(const step_piece& p) {
     if (covered && is_finite(of_state(g_, span)) && known_sign(of_state(start_.leading, span)) != 0) {
         return {finding::no_zero, sign_};
     }
-    return !covered || p.is_narrow(march_.bits()) ? undecided_on(p, sampled(span)) : verdict{finding::open, 0};
+    return !covered || p.is_narrow(bits_) ? undecided_on(p, sampled(span)) : verdict{finding::open, 0};
 }
 
 zero_search::verdict zero_search::undecided_on(const step_piece& p, const sample& all) {
     const ball& first = direction_ > 0 ? p.from : p.to;
     const ball& last = direction_ > 0 ? p.to : p.from;
-    undecided_ = {lower_bound(march_.reached() + first * direction_), upper_bound(march_.reached() + last * direction_),
-                  magnitude(all.value), magnitude(all.slope)};
+    undecided_ = {lower_bound(time_ + first * direction_), upper_bound(time_ + last * direction_), magnitude(all.value),
+                  magnitude(all.slope)};
     return {finding::undecided, 0};
 }
 
@@ -211,7 +233,7 @@ zero_search::verdict zero_search::judged(step_piece& p) {
         return {finding::no_zero, sign};
     }
     if (!is_finite(all.value)) {  // while folding may leave a slope
-        const bool ends = p.is_narrow(march_.bits()) || ++examined_ > most_pieces_of_a_step;
+        const bool ends = p.is_narrow(bits_) || ++examined_ > most_pieces_of_a_step;
         return ends ? undecided_on(p, all) : verdict{finding::open, 0};
     }
     if (const int sign = known_sign(all.slope); sign != 0) {
@@ -240,7 +262,7 @@ zero_search::verdict zero_search::judged(step_piece& p) {
         p.digits = std::min(2 * p.digits, digits_);
         return judged(p);
     }
-    const bool narrow = no_use || p.is_narrow(march_.bits());
+    const bool narrow = no_use || p.is_narrow(bits_);
     if (!narrow && ++examined_ <= most_pieces_of_a_step) {
         return {finding::open, 0};
     }
@@ -353,10 +375,10 @@ void zero_search::add_part(step_piece p) {
         sample here = sampled(*place);
         p = p.within(*place * direction_);
         const bool converged = known_sign(here.slope) != 0 && known_sign(of_state(g_, exact_midpoint(*place))) == 0;
-        if (converged || p.is_narrow(march_.bits()) || !narrowed_by_signs(p)) {
-            const ball time = march_.reached() + *place;
+        if (converged || p.is_narrow(bits_) || !narrowed_by_signs(p)) {
+            const ball time = time_ + *place;
             parts_.push_back({time, std::move(here.state), crossing::any,
-                              own_ && own_->derivative() ? own_->derivative_at(time) : ball_matrix()});
+                              step_->from().derivative ? step_->derivative(*place) : ball_matrix()});
             return;
         }
     }
@@ -405,36 +427,47 @@ std::optional<proved_event> zero_search::joined() {
     return event;
 }
 
+void zero_search::leave_step() {
+    time_ = step_->end_time();
+    steps_ += step_->cost();
+    ++number_;
+    step_ = nullptr;
+    if (own_) {
+        own_->forget_before(number_);
+    }
+    if (watch_) {
+        watch_(time_, bits_);
+    }
+}
+
 // Prepares the pieces of the next step. Returns false for the reason end_.
 bool zero_search::begin_step(const std::optional<ball>& end, long last_step) {
-    if (std::exchange(step_, nullptr) != nullptr) {
-        march_.take_prepared(direction_);
-        if (watch_) {
-            watch_(march_.reached(), march_.bits());
-        }
+    if (step_ != nullptr) {
+        leave_step();
     }
-    if (!open_ && march_.steps() >= last_step) {
+    if (!open_ && steps_ >= last_step) {
         end_ = search_end::horizon;
         return false;
     }
-    ball rest;
-    arb_pos_inf(rest.handle());
-    bool beyond = false;
-    if (end) {
-        const ball left = upper_bound((*end - march_.reached()) * direction_);
-        beyond = !exactly_less(ball(0), left);
-        rest = beyond ? rest : left;
-    }
+    const auto left = [&] { return upper_bound((*end - time_) * direction_); };
+    const bool beyond = end && !exactly_less(ball(0), left());
     if (beyond && !open_) {
         end_ = search_end::time;
         return false;
     }
-    const enclosed_step* const step = march_.prepare_towards(rest * direction_);
-    if (step == nullptr) {
-        end_ = march_.end() == march_end::steps ? search_end::steps : search_end::precision;
+    if (own_) {
+        own_->aim(end && !beyond ? upper_bound(*end * direction_) * direction_ : infinite_distance(direction_));
+    }
+    ball rest;
+    arb_pos_inf(rest.handle());
+    rest = end && !beyond ? left() : rest;
+    step_ = along_[number_];
+    if (step_ == nullptr) {
+        end_ = along_.why() == stop::step_too_small ? search_end::steps : search_end::precision;
         return false;
     }
-    ball first = step->length_of_step();
+    time_ = step_->from().time;
+    ball first = abs(step_->length());
     if (exactly_less(rest, first)) {
         pieces_.push_back({rest, first, few_digits, 0, 0, true});
         first = rest;
@@ -443,8 +476,7 @@ bool zero_search::begin_step(const std::optional<ball>& end, long last_step) {
         pieces_.push_back({exact_multiple(first, k, -2), exact_multiple(first, k + 1, -2), few_digits});
     }
     examined_ = 0;
-    step_ = step;
-    has_own_slopes_ = !step->slopes_at(ball(0)).empty();
+    has_own_slopes_ = !step_->slopes(ball(0)).empty();
     return true;
 }
 
@@ -453,12 +485,12 @@ std::optional<proved_event> zero_search::next(crossing way, const std::optional<
     const precision_scope scope(digits_);
     const std::optional<ball> last = end ? std::optional(constant_value<ball>::of(*end)) : std::nullopt;
     const auto is_beyond = [&](const ball& time) { return last && known_sign((time - *last) * direction_) > 0; };
-    const long last_step = horizon ? march_.steps() + *horizon
+    const long last_step = horizon ? steps_ + *horizon
                            : end   ? std::numeric_limits<long>::max()
-                                   : march_.steps() + usual_horizon;
+                                   : steps_ + usual_horizon;
     end_ = search_end::none;
     for (step_piece& each : pieces_) {  // of a search with an earlier end
-        each.beyond = each.beyond && last && known_sign((*last - march_.reached()) * direction_ - each.from) <= 0;
+        each.beyond = each.beyond && last && known_sign((*last - time_) * direction_ - each.from) <= 0;
     }
     if (beyond_ && !is_beyond(beyond_->time)) {
         return std::exchange(beyond_, std::nullopt);

@@ -82,7 +82,7 @@ std::vector<expression> hybrid_path::zero_functions() const {
 
 // The beginning of the search for the zeros of a surface of the branch that was entered.
 std::optional<search_start> hybrid_path::start_on(const surface& of, const branch_beginning& beginning) {
-    search_start start{.state = *piece_->state, .begins = piece_->begins};
+    search_start start{.begins = piece_->begins};
     if (of.time) {
         return start;
     }
@@ -260,6 +260,7 @@ bool hybrid_path::enter(const entered_branch& entered, const step_values& values
     for (std::size_t k = 0; k < entered.leaves.size(); ++k) {
         reset_last_.push_back(!same_form(entered.leaves[k], system_.leaves()[k]));
     }
+    steps_ = steps();
     piece_ = std::move(piece);
     next_.reset();
     crossed_.clear();

@@ -1,6 +1,7 @@
 #include "branch_search.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "../equation/needed_bits.hpp"
@@ -37,8 +38,8 @@ void shorten(std::optional<number>& end, const ball& time) {
 }  // namespace
 
 branch_search::branch_search(const explicit_system& system, std::vector<watched_surface> surfaces, ball begins,
-                             long bits, const proof_route& route, const march_watch& watch)
-    : system_(system), begins_(std::move(begins)), bits_(bits), route_(route), watch_(watch) {
+                             long bits, step_sequence& along)
+    : system_(system), begins_(std::move(begins)), bits_(bits), along_(along) {
     for (watched_surface& each : surfaces) {
         watched_.push_back({std::move(each)});
     }
@@ -53,9 +54,6 @@ std::nullopt_t branch_search::ended(path_end why, const std::string& reason) {
 void branch_search::resume(std::size_t surface) {
     watched_[surface].found.reset();
     watched_[surface].passed = watched_[surface].of.of.time.has_value();
-    for (watched& each : watched_) {
-        each.over = each.limit.has_value();
-    }
 }
 
 // The first known time after the beginning; sets end_ if it is not distinguished from the beginning.
@@ -86,7 +84,7 @@ std::optional<std::size_t> branch_search::first_known_time(const std::optional<n
 // Reads why the search for a surface paused. The search is over unless it may continue.
 void branch_search::read_end(watched& each, bool has_end, long horizon) {
     const zero_search& search = *each.search;
-    const ball reached = search.march().reached();
+    const ball reached = search.reached();
     switch (search.end()) {
         case search_end::none: break;
         case search_end::time: each.over = true; break;
@@ -130,8 +128,8 @@ bool branch_search::advance(watched& each, const std::optional<number>& end, lon
     }
     if (!each.search) {
         each.search = each.of.start
-                          ? std::make_unique<zero_search>(system_, each.of.of.g, *each.of.start, bits_, route_, watch_)
-                          : std::make_unique<zero_search>(system_, each.of.of.g, bits_, 1, route_, watch_);
+                          ? std::make_unique<zero_search>(system_, each.of.of.g, along_, *each.of.start, bits_)
+                          : std::make_unique<zero_search>(system_, each.of.of.g, along_, bits_);
     }
     auto event = each.search->next(each.of.way, end, steps);
     if (!event) {
@@ -150,6 +148,9 @@ bool branch_search::advance(watched& each, const std::optional<number>& end, lon
 std::optional<found_crossing> branch_search::next(const std::optional<number>& end, long horizon) {
     end_ = path_end::none;
     reached_.reset();
+    for (watched& each : watched_) {
+        each.over = each.limit.has_value();  // the end may be a later one
+    }
     const auto known = first_known_time(end);
     std::optional<number> bound = end;
     if (known) {
@@ -172,8 +173,20 @@ std::optional<found_crossing> branch_search::next(const std::optional<number>& e
                 shorten(bound, each.found->time);
             }
         }
+        forget_searched_steps();
     }
     return end_ == path_end::none ? first_of(known) : std::nullopt;
+}
+
+// Except the last one of them: a search that ends with a step is at the next one.
+void branch_search::forget_searched_steps() {
+    std::size_t first = std::numeric_limits<std::size_t>::max();
+    for (const watched& each : watched_) {
+        first = each.search ? std::min(first, each.search->number_of_step()) : first;
+    }
+    if (first > 0 && first < std::numeric_limits<std::size_t>::max()) {
+        along_.forget_before(first - 1);
+    }
 }
 
 // The first of the crossings that were found.

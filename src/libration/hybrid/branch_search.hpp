@@ -41,12 +41,13 @@ struct found_crossing {
 /// each has only one zero in its enclosure.
 class branch_search {
 public:
-    /// The system must outlive this object. Zeros are searched after `begins`.
+    /// Along the steps of the branch, which all searches share. They and the system must outlive this object. Zeros are
+    /// searched after `begins`.
     branch_search(const explicit_system& system, std::vector<watched_surface> surfaces, ball begins, long bits,
-                  const proof_route& route, const march_watch& watch);
+                  step_sequence& along);
 
     /// The first crossing that is not certainly beyond `end`; std::nullopt for the reason end(). Without an end it is
-    /// searched for so many steps of the integrator.
+    /// searched for so many steps of the integrator. Steps before those at which the searches pause are forgotten.
     std::optional<found_crossing> next(const std::optional<number>& end, long horizon);
     /// Continues the search for a surface behind the crossing that was found.
     void resume(std::size_t surface);
@@ -79,14 +80,14 @@ private:
     std::optional<number> common_time(const std::vector<std::size_t>& surfaces) const;
     static bool is_zero_at(const watched& each, const number& time);
     void reach(const ball& time);
+    void forget_searched_steps();
     std::nullopt_t ended(path_end why, const std::string& reason);
 
     const explicit_system& system_;
     std::vector<watched> watched_;
     ball begins_;
     long bits_;
-    const proof_route& route_;
-    const march_watch& watch_;
+    step_sequence& along_;
     path_end end_ = path_end::none;
     std::string reason_;
     std::optional<ball> reached_;

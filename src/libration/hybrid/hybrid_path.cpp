@@ -61,9 +61,36 @@ void hybrid_path::note_relations(const std::vector<std::size_t>& steps) {
     }
 }
 
+// Of the present branch, from branches before with the same equations if there are any.
+std::shared_ptr<step_rule> hybrid_path::rule_of_branch() {
+    const first_order_form form(piece_->system);
+    const auto known = std::ranges::find_if(modes_, [&](const followed_mode& each) {
+        return std::ranges::equal(each.slopes, form.slopes,
+                                  [](const expression& a, const expression& b) { return same_form(a, b); });
+    });
+    if (known != modes_.end()) {
+        return known->rule;
+    }
+    modes_.push_back({form.slopes, rule_for(piece_->system, {bits_}, route_)});
+    return modes_.back().rule;
+}
+
+void hybrid_path::begin_steps() {
+    flow_state start = start_of(piece_->system, bits_);
+    if (piece_->state) {
+        start.set = box_around(*piece_->state, bits_);
+    }
+    state_step_ = 0;
+    piece_->along =
+        std::make_unique<integration>(std::move(start), rule_of_branch(), infinite_distance(1), bits_, watch_);
+    if (watch_) {
+        watch_(last_time_, bits_);
+    }
+}
+
 // The surfaces of the branch with the signs of their functions directly after its beginning.
 bool hybrid_path::search_branch(const branch_beginning* beginning) {
-    march_.reset();
+    begin_steps();
     auto surfaces = system_.surfaces(piece_->steps);
     if (observed_ != nullptr) {
         hybrid_system::add_surface(surfaces, *observed_, "the condition");
@@ -80,7 +107,7 @@ bool hybrid_path::search_branch(const branch_beginning* beginning) {
         }
         watched.push_back({std::move(each), way, std::move(start)});
     }
-    search_ = std::make_unique<branch_search>(piece_->system, std::move(watched), last_time_, bits_, route_, watch_);
+    search_ = std::make_unique<branch_search>(piece_->system, std::move(watched), last_time_, bits_, *piece_->along);
     return true;
 }
 
@@ -127,7 +154,8 @@ bool hybrid_path::has_effect(const surface& of, crossing way) const {
 }
 
 // The next crossing that ends the branch or is observed; false for the reason end().
-bool hybrid_path::find(const std::optional<number>& end, long horizon) {
+bool hybrid_path::find(const std::optional<number>& end, const std::optional<number>& farthest, long horizon) {
+    piece_->along->aim(farthest ? enclosed_number(*farthest) : infinite_distance(1));
     if (next_) {
         return true;
     }
@@ -188,19 +216,16 @@ bool hybrid_path::complete(path_event& event) {
 
 // The state on the branch, which does not end before this time.
 std::optional<std::vector<ball>> hybrid_path::state_before(const number& time) {
-    if (!march_) {
-        march_ = piece_->state ? std::make_unique<proved_march>(piece_->system, *piece_->state, bits_,
-                                                                proved_march::usual_error_bits, watch_, route_)
-                               : std::make_unique<proved_march>(piece_->system, bits_, watch_,
-                                                                proved_march::usual_error_bits, route_);
+    integration& along = *piece_->along;
+    state_step_ = std::max(state_step_, along.first());
+    const auto place = steps_about(along, state_step_, enclosed_number(time));
+    if (place) {
+        return values_at(*place);
     }
-    auto state = march_->at(time);
-    if (!state) {
-        ended(march_->end() == march_end::steps ? path_end::steps : path_end::precision,
-              "the steps become too small at time " + proved_reach_text(march_->reached(), true) +
-                  ", as they do near a singularity");
-    }
-    return state;
+    ended(along.why() == stop::step_too_small ? path_end::steps : path_end::precision,
+          "the steps become too small at time " + proved_reach_text(along.reached(), true) +
+              ", as they do near a singularity");
+    return std::nullopt;
 }
 
 // -1 before the event, 0 if that is not decided, 1 at a known time or after it.
@@ -220,7 +245,7 @@ std::optional<std::vector<ball>> hybrid_path::at(const number& time, const numbe
                 at_event_ = true;
                 return state_at_event();
             }
-            if (!find(last, 0)) {
+            if (!find(time, last, 0)) {
                 const bool before_end = end_ == path_end::time || (search_->has_reached() && certainly_before(time));
                 return before_end ? state_before(time) : std::nullopt;
             }
@@ -267,7 +292,7 @@ std::optional<path_event> hybrid_path::next_observed(const std::optional<number>
             if (observed_event_) {
                 return complete(*observed_event_) ? std::exchange(observed_event_, std::nullopt) : std::nullopt;
             }
-            if (next_ ? !take() : !find(end, horizon)) {
+            if (next_ ? !take() : !find(end, end, horizon)) {
                 return std::nullopt;
             }
         }

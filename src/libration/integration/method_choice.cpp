@@ -1,277 +1,138 @@
 #include "method_choice.hpp"
 
-#include <algorithm>
+#include <stdexcept>
+#include <utility>
 
-#include "../algebra/rounded_matrix.hpp"
-#include "libration/expansion/step_pieces.hpp"
-#include "libration/integration/taylor/step_length.hpp"
-#include "libration/scalar/ball/predicates.hpp"
-#include "lifted_set.hpp"
+#include "../expansion/set_values.hpp"
+#include "libration/equation/first_order_form.hpp"
+#include "libration/scalar/error.hpp"
+#include "singular/first_step.hpp"
 
 namespace libration::ode {
 
 namespace {
 
-// The cost of a step grows with the cube of the number of unknowns, that of the preparation with the cube of the bits,
-// and the memory for frames of many unknowns with the square of both.
-constexpr std::size_t most_collocation_unknowns = 250;
-constexpr std::size_t most_unknowns_with_derivative = 40;
-constexpr long most_collocation_bits = 1024;
-constexpr long most_bits_of_frames_in_double = 400;
-// The number of steps in which their length may grow until they pay off.
-constexpr long steps_to_grow = 6;
-constexpr int steps_without_fast_modes = 3;
-// Collocation loses fewer bits than Taylor series, for which the guard bits of a run are chosen. With all bits of the run,
-// the values at the last time have 16 bits more than their 20 digits need in problem E5, 35 in POLLU, and 42 in HIRES.
-// A larger reduction pays where steps are expensive; if too many bits are missing, there is a second run.
-constexpr std::size_t many_unknowns = 7;
-constexpr long unneeded_bits = 12;
-constexpr long unneeded_bits_of_many = 28;
-
-// The least number of steps of Taylor series that take longer than the preparation of collocation.
-unsigned long steps_worth_preparation(long bits, bool in_double) {
-    const unsigned long at_200_bits = in_double ? 100 : 1000;
-    const auto times = static_cast<unsigned long>(std::max(200L, bits));
-    return at_200_bits * times * times * times / (200 * 200 * 200);
-}
-
-// Its given unknowns are those of the form.
-polynomial_form form_with_variations(const polynomial_form& of) {
-    explicit_system system = with_variations(of);
-    std::vector<expression> leaves;
-    for (const unknown_function& each : system.unknowns()) {
-        leaves.push_back(unknown(each.name));
-    }
-    return {std::move(system), of.given, {}, {}, std::move(leaves)};
-}
+// Then the first steps are those of a root_rule.
+bool begins_at_root(const explicit_system& system) { return system.singular() && system.singular()->root > 1; }
 
 }  // namespace
 
-method_choice::method_choice(const polynomial_form& of, long bits, const proof_route& route)
-    : system_(of), bits_(bits), route_(route), between_checks_(first_interval()) {
-    if (route.integrator == integrator_choice::automatic) {
-        next_check_ = between_checks_;
+method_choice::method_choice(const explicit_system& of, const run_bits& bits, const proof_route& route,
+                             error_weights weights)
+    : of_(of), bits_(bits), route_(route) {
+    if (of.singular() && !begins_at_root(of)) {
+        singular_ = proved_singular_step(of, bits.bits, route);
     }
+    const explicit_system regular = begins_at_root(of) ? first_order_form(of).about_points(of.point())
+                                    : singular_        ? singular_->beyond
+                                                       : of;
+    const polynomial_form form = lifted(regular);
+    taylor_ = std::make_unique<taylor_rule>(form, bits, route, weights);
+    collocation_ = std::make_unique<collocation_rule>(form, bits.bits, route);
+    if (auto times = root_times(regular); !times.empty() || begins_at_root(of)) {
+        roots_ = std::make_unique<root_rule>(begins_at_root(of) ? of : regular, std::move(times), bits, route, weights);
+    }
+    first_passage_ = begins_at_root(of) ? roots_->passage_from_start(of) : nullptr;
+    require_integrator(false);
 }
 
-long method_choice::bits_of_steps() const {
-    return bits_ - (system_.leaves.size() < many_unknowns ? unneeded_bits : unneeded_bits_of_many);
-}
-
-bool method_choice::is_in_double() const { return system_.leaves.size() >= least_size_in_double; }
-
-// With frames in double, the Brusselator with 100 unknowns takes 4 s for a step and 1 s for one of Taylor series.
-long method_choice::cost_of_step() const {
-    const long at_200_bits = is_in_double() ? 4 : 32;
-    const long bits = std::max(200L, bits_);
-    const auto columns = static_cast<long>(varied_ ? 1 + system_.given : 1);
-    return at_200_bits * bits * bits / (200 * 200) * columns * columns;
-}
-
-long method_choice::first_interval() const {
-    return is_in_double() ? cost_of_step() : steps_without_fast_modes * cost_of_step();
-}
-
-std::string method_choice::obstacle(bool with_derivative) const {
-    const std::size_t count = system_.leaves.size() * (with_derivative ? 1 + system_.given : 1);
-    const std::size_t most = with_derivative ? most_unknowns_with_derivative : most_collocation_unknowns;
-    if (count > most) {
-        return "is limited to " + std::to_string(most) + " unknowns, and the polynomial form of these equations" +
-               (with_derivative ? " with the derivative of the flow, which is needed here," : "") + " has " +
-               std::to_string(count);
-    }
-    const long bits = count < least_size_in_double ? most_collocation_bits : most_bits_of_frames_in_double;
-    if (bits_ > bits) {
-        return "is limited to a precision of " + std::to_string(bits) + " bits for " + std::to_string(count) +
-               " unknowns, and these digits need " + std::to_string(bits_);
-    }
-    return "";
-}
-
-bool method_choice::may_begin(long steps, const magnitude& length, const ball& rest, bool with_derivative) const {
-    if (steps < next_check_ || !obstacle(with_derivative).empty()) {
-        return false;
-    }
-    switch (route_.integrator) {
-        case integrator_choice::taylor: return false;
-        case integrator_choice::collocation: return true;
-        case integrator_choice::automatic: break;
-    }
-    const unsigned long columns = with_derivative ? 1 + system_.given : 1;
-    return length * magnitude(steps_worth_preparation(bits_, is_in_double()) * columns * columns) <= magnitude(rest);
-}
-
-// The unknowns of the form and then, column by column, its derivatives with respect to the given ones: the identity,
-// and for added unknowns the derivatives of their definitions. Each has a width far below the scale of its unknowns, so
-// that a column that decays to nothing need not be resolved.
-std::optional<tube_set> method_choice::with_identity(const ball& time, const state_set& set, tube_set all) const {
-    const auto values = varied_values(system_, time, set.hull());
-    for (std::size_t k = system_.leaves.size(); k < values.size(); ++k) {
-        if (!is_finite(values[k])) {
-            return std::nullopt;
-        }
-        const magnitude of_unknown(values[k % system_.leaves.size()]);
-        const magnitude by_unknown = magnitude::below(values[k / system_.leaves.size() - 1]);
-        const magnitude scale = by_unknown.is_zero() ? magnitude(values[k]) : of_unknown / by_unknown;
-        all.centre.push_back(midpoint_alone(values[k]));
-        all.errors.add_coordinate({}, magnitude::radius_of(values[k]) + scale.shifted(-bits_));
-    }
-    return all;
-}
-
-ball_matrix method_choice::derivative_in(const std::vector<ball>& state) const {
-    const std::size_t count = system_.leaves.size();
-    ball_matrix result(system_.given);
-    for (std::size_t i = 0; i < system_.given; ++i) {
-        for (std::size_t j = 0; j < system_.given; ++j) {
-            result[i].push_back(state[count * (j + 1) + i]);
-        }
-    }
-    return result;
-}
-
-bool method_choice::begin(long steps, const ball& time, const state_set& set, const magnitude& length, const ball& rest,
-                          bool with_derivative) {
-    next_check_ = steps + between_checks_;
-    between_checks_ *= 2;
-    if (!integrator_) {
-        integrator_.emplace(system_, bits_of_steps(), route_.more_terms);
-    }
-    auto all = lifted_set(system_, time, set);
-    if (!all) {
-        return false;
-    }
-    coordinates_.reset();
-    varied_.reset();
-    other_.reset();
-    largest_.assign(system_.given, nothing);
-    decaying_.clear();
-    const ball first = arb_is_negative(rest.handle()) != 0 ? -length.exact() : length.exact();
-    if (route_.integrator == integrator_choice::automatic && !integrator_->is_smooth_over(time, all->centre, first)) {
-        return false;
-    }
-    if (with_derivative) {
-        all = with_identity(time, set, *std::move(all));
-        if (!all) {
-            return false;
-        }
-        varied_ = form_with_variations(system_);
-        other_.emplace(*varied_, bits_of_steps(), route_.more_terms);
-    }
-    current().begin(time, *all, first);
-    active_ = current().prepare();
-    steps_of_phase_ = 0;
-    length_to_pay_ = length * magnitude(static_cast<unsigned long>(cost_of_step()));
-    return active_;
-}
-
-void method_choice::use() {
-    if (use_.steps++ == 0) {
-        use_.first = as_double(integrator().reached());
-    }
-    use_.periods += steps_of_phase_ == 0 ? 1 : 0;
-}
-
-std::vector<ball> method_choice::given_of(const ball& time, std::vector<ball> state) const {
-    state.resize(system_.given);
-    return coordinates_ ? coordinates_->from_coordinates().at(time, state) : state;
-}
-
-std::vector<ball> method_choice::values_at(const ball& distance) const {
-    return given_of(integrator().reached() + distance, integrator().values_at(distance));
-}
-
-ball method_choice::length_of_step() const {
-    ball size;
-    arb_abs(size.handle(), integrator().length().handle());
-    return size;
-}
-
-// In coordinates c, y = g(c) has y' = g_c c'.
-std::vector<ball> method_choice::slopes_at(const ball& distance) const {
-    std::vector<ball> slopes = integrator().slopes_at(distance);
-    slopes.resize(system_.given);
-    if (!coordinates_) {
-        return slopes;
-    }
-    std::vector<ball> state = integrator().values_at(distance);
-    state.resize(system_.given);
-    const ball_matrix by = coordinates_->from_coordinates().derivative(integrator().reached() + distance, state);
-    std::vector<ball> result;
-    for (const auto& row : by) {
-        ball& sum = result.emplace_back(0);
-        for (std::size_t k = 0; k < row.size(); ++k) {
-            sum += row[k] * slopes[k];
-        }
-    }
-    return result;
-}
-
-std::vector<ball> method_choice::hull() const { return given_of(integrator().reached(), integrator().set().hull()); }
-
-std::optional<state_set> method_choice::set() const {
-    auto first = set_of_first(system_.given, integrator().set());
-    return first && coordinates_ ? coordinates_->from_coordinates().image(integrator().reached(), *first) : first;
-}
-
-// Looks for coordinates if the list of the unknowns that have decayed is another one: with the first of them those that
-// have come half of the way.
-void method_choice::follow_decay() {
-    const std::vector<ball> now = hull();
-    std::vector<std::size_t> half_decayed;
-    bool decayed = false;
-    for (std::size_t k = 0; k < now.size(); ++k) {
-        const double size = log_of(magnitude(now[k]));
-        largest_[k] = std::max(largest_[k], size);
-        const bool resolved = arb_contains_zero(now[k].handle()) == 0;
-        const double lost = resolved ? largest_[k] - size : 0;
-        decayed = decayed || lost > static_cast<double>(bits_);
-        if (lost > static_cast<double>(bits_) / 2) {
-            half_decayed.push_back(k);
-        }
-    }
-    if (!varied_ && decayed && half_decayed != decaying_) {
-        decaying_ = std::move(half_decayed);
-        change_coordinates();
-    }
-}
-
-void method_choice::change_coordinates() {
-    const auto given = set();
-    auto found = given ? decay_coordinates::of(system_, decaying_, *given) : std::nullopt;
-    const ball time = integrator().reached();
-    const auto changed = found ? found->to_coordinates().image(time, *given) : std::nullopt;
-    const auto all = changed ? lifted_set(found->system(), time, *changed) : std::nullopt;
-    if (!all) {
+void method_choice::require_integrator(bool with_derivative) const {
+    if (route_.integrator != integrator_choice::collocation) {
         return;
     }
-    const ball length = integrator().next_length();
-    coordinates_ = std::move(found);
-    other_.emplace(coordinates_->system(), bits_of_steps(), route_.more_terms);
-    other_->begin(time, *all, length);
-}
-
-void method_choice::reach(const ball& time) {
-    if (active_) {
-        use_.last = as_double(time);
+    if (const std::string reason = collocation_->obstacle(with_derivative); !reason.empty()) {
+        throw error(error_kind::argument, "integrator", "collocation", reason + ": use automatic or taylor");
     }
 }
 
-bool method_choice::step(long steps) {
-    const bool pays = length_to_pay_ <= magnitude(integrator().length());
-    current().step();
-    ++steps_of_phase_;
-    reach(integrator().reached());
-    follow_decay();
-    if (pays) {
-        between_checks_ = first_interval();
+// Theorem S begins from the initial values of the system alone; from another set the point is refused.
+void method_choice::require_given_start(const flow_state& start) const {
+    const auto given = start_of(of_, bits_.bits).set.hull();
+    const auto found = start.set.hull();
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        if (arb_equal(given[i].handle(), found[i].handle()) == 0) {
+            lifted(of_);
+            throw std::logic_error("a set about a singular initial point");
+        }
     }
-    next_check_ = steps + between_checks_;
-    if (route_.integrator == integrator_choice::collocation) {
-        return true;
+}
+
+void method_choice::begin(const flow_state& start) {
+    if (of_.singular()) {
+        require_given_start(start);
     }
-    return integrator().steps_without_fast_modes() < steps_without_fast_modes &&
-           (steps_of_phase_ <= steps_to_grow || pays);
+    require_integrator(start.derivative.has_value());
+    collocation_->begin();
+    at_start_ = of_.singular().has_value();
+    series_begun_ = false;
+    cost_ = 0;
+}
+
+next_step method_choice::next(const flow_state& from, const ball& rest) {
+    next_step result = next_method(from, rest);
+    cost_ += result.made ? result.made->cost() : 0;
+    return result;
+}
+
+next_step method_choice::next_method(const flow_state& from, const ball& rest) {
+    const int direction = arb_is_negative(rest.handle()) != 0 ? -1 : 1;
+    if (std::exchange(at_start_, false)) {
+        return next_at_start(from, direction);
+    }
+    if (dynamic_cast<const root_state*>(from.more.get()) != nullptr) {
+        return root_rule::leads_towards(from, direction) ? root_rule::next(from)
+                                                         : next_by_series(root_rule::end_of(from), rest);
+    }
+    return collocation_->made(from) ? next_after_collocation(from, rest) : next_by_series(from, rest);
+}
+
+next_step method_choice::next_at_start(const flow_state& from, int direction) {
+    if (direction < 0) {
+        return {{}, stop::step_too_small};
+    }
+    if (first_passage_) {
+        return root_rule::next(root_rule::begin_at_start(first_passage_, from));
+    }
+    return {std::make_shared<singular_first_step>(from, of_, *singular_, bits_.bits, bits_.error_bits, route_),
+            stop::none};
+}
+
+next_step method_choice::next_after_collocation(const flow_state& from, const ball& rest) {
+    const bool continues = collocation_->continues(cost_) && !taylor_->loses_an_unknown(collocation_->hull());
+    if (continues && !contains_zero(rest)) {
+        if (auto made = collocation_->next(from)) {
+            return {std::move(made), stop::none};
+        }
+    }
+    return next_by_series(collocation_->end_of(from), rest);
+}
+
+next_step method_choice::next_by_series(const flow_state& from, const ball& rest) {
+    if (!std::exchange(series_begun_, true)) {
+        taylor_->begin(from);
+    }
+    next_step by_series = taylor_->next(from, rest);
+    if (!by_series.made || by_series.made->reaches(rest)) {
+        return by_series;
+    }
+    const auto& made = dynamic_cast<const series_step&>(*by_series.made);
+    if (auto entry = roots_ ? roots_->entry(made, arb_is_negative(rest.handle()) != 0 ? -1 : 1) : nullptr) {
+        return {std::move(entry), stop::none};
+    }
+    if (auto first = collocation_->first(cost_, made.from(), magnitude(made.length()), rest)) {
+        return {std::move(first), stop::none};
+    }
+    return by_series;
+}
+
+std::unique_ptr<step_rule> rule_for(const explicit_system& system, const run_bits& bits, const proof_route& route,
+                                    error_weights weights) {
+    return std::make_unique<method_choice>(system, bits, route, weights);
+}
+
+flow_state start_of(const explicit_system& system, long bits) {
+    const precision_scope scope(decimal_digits(bits));
+    return {constant_value<ball>::of(system.point()), box_around(enclosed_start(system, bits), bits), {}, {}};
 }
 
 }  // namespace libration::ode

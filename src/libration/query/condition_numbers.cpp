@@ -60,7 +60,7 @@ constexpr long negligible_condition = 9;
 dependence::dependence(const equation_system& given, const std::vector<std::string>& unknowns)
     : flow_(given, names_to_open(given), unknowns) {}
 
-std::optional<std::vector<moved_value>> dependence::moved(const proved_march& march, const number& time,
+std::optional<std::vector<moved_value>> dependence::moved(proved_march& march, const number& time,
                                                           const std::vector<ball>& state, long negligible) const {
     const precision_scope scope(decimal_digits(march.bits()));
     const ball t = constant_value<ball>::of(time);
@@ -99,7 +99,7 @@ std::vector<conditioned_state> proved_conditions(const equation_system& given, c
     const dependence on(given);
     std::vector<conditioned_state> result(times.size());
     proving_runs runs(on.system(), times, digits, watch,
-                      {[&](const proved_march& march, std::size_t index, const std::vector<ball>& state) {
+                      {[&](proved_march& march, std::size_t index, const std::vector<ball>& state) {
                            auto moved = on.moved(march, times[index], state, digits + further_digits);
                            if (moved) {
                                result[index].moved = std::move(*moved);

@@ -1,7 +1,7 @@
 #include "libration/query/delay_events.hpp"
 
 #include "../equation/condition_system.hpp"
-#include "../integration/delay/delay_steps.hpp"
+#include "../integration/delay/delay_rule.hpp"
 #include "event_list.hpp"
 
 namespace libration::ode {
@@ -26,16 +26,21 @@ private:
     // One run, and the number of its steps.
     long steps_of_run() {
         const precision_scope scope(decimal_digits(list_.bits()) + 10);
-        delay_steps steps(system_, list_.bits());
-        zero_search search(first_, request_.g, steps, [&](const ball& reached, long bits) { tell(reached, bits); });
+        const long bits = list_.bits();
+        integration along({constant_value<ball>::of(system_.point()), {}, {}, {}},
+                          std::make_shared<delay_rule>(system_, bits), infinite_distance(1), bits);
+        zero_search search(first_, request_.g, along, bits, [&](const ball& reached, long bits_of_run) {
+            along.forget_before(search.number_of_step());
+            tell(reached, bits_of_run);
+        });
         find_events(
             list_, search, request_,
             [&](const proved_event& event) {
                 list_.add(event.time, with_given_values(event.state, given_));
-                tell(steps.reached(), list_.bits());
+                tell(search.reached(), list_.bits());
             },
             [&] { list_.continue_beyond(search, system_.point(), 1); });
-        return steps.steps();
+        return search.steps();
     }
 
     void tell(const ball& reached, long bits) const {

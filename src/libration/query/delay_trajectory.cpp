@@ -66,7 +66,7 @@ private:
         for (const std::size_t index : order_) {
             const auto state = march.at(times_[index]);
             if (!state) {
-                if (march.end() == march_end::steps) {
+                if (march.end() == stop::step_too_small) {
                     throw not_reached(times_[index], march.reached(), "is proved to exist");
                 }
                 bits_.raise_to(bits_to_go_on(march.reached()), "time", text_of_time(times_[index]));

@@ -102,13 +102,13 @@ public:
 
     /// After a search that did not find the next event: with more bits, if they help. The system begins at `point`.
     void continue_beyond(const zero_search& search, const number& point, int direction) {
-        const std::string reached = proved_reach_text(search.steps().reached(), direction >= 0);
+        const std::string reached = proved_reach_text(search.reached(), direction >= 0);
         switch (search.end()) {
             case search_end::time:
                 end("is not found before that time: " + std::to_string(found()) + " were found");
                 break;
             case search_end::horizon:
-                end("is not found within " + std::to_string(search.steps().steps()) + " steps, from time " +
+                end("is not found within " + std::to_string(search.steps()) + " steps, from time " +
                     bound_text(exact_midpoint(constant_value<ball>::of(point)), MPFR_RNDN) + " up to " + reached +
                     ": give an end of the search, or a larger horizon");
                 break;

@@ -85,7 +85,7 @@ public:
 
     partial_derivatives result(const march_watch& watch, const proof_route& route, const step_observer& observer) {
         proving_runs runs(flow_.system(), times_, digits_, watch,
-                          {[this](const proved_march& march, std::size_t time, const std::vector<ball>& /*state*/) {
+                          {[this](proved_march& march, std::size_t time, const std::vector<ball>& /*state*/) {
                                return proved(march, time);
                            },
                            flow_.own(), bits_of_digits(digits_) + first_guard_bits},
@@ -100,7 +100,7 @@ private:
     static constexpr int most_runs_at_zero = 2;
 
     // Whether the derivatives have their digits, or are given up.
-    bool proved(const proved_march& march, std::size_t time) {
+    bool proved(proved_march& march, std::size_t time) {
         const precision_scope scope(decimal_digits(march.bits()));
         const state_derivatives all = flow_.at(march, times_[time]);
         bool narrow = true;
@@ -176,7 +176,7 @@ opened_flow::opened_flow(const equation_system& given, const std::vector<std::st
     }
 }
 
-state_derivatives opened_flow::at(const proved_march& march, const number& time) const {
+state_derivatives opened_flow::at(proved_march& march, const number& time) const {
     const ball t = constant_value<ball>::of(time);
     if (open_.system.singular() && contains_zero(t - constant_value<ball>::of(open_.system.point()))) {
         throw error(error_kind::undecided, "time", "",

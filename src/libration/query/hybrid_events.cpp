@@ -30,11 +30,7 @@ public:
 private:
     // One run, and the number of its steps.
     long steps_of_run() {
-        long steps = 0;
-        const auto watch = [&](const ball& reached, long bits) {
-            ++steps;
-            tell(reached, bits);
-        };
+        const auto watch = [&](const ball& reached, long bits) { tell(reached, bits); };
         hybrid_path path(system_, list_.bits(), route_, watch, &request_.g, request_.way);
         const precision_scope scope(decimal_digits(list_.bits()) + 10);
         while (list_.continues()) {
@@ -47,7 +43,7 @@ private:
                 tell(event->time, list_.bits());
             }
         }
-        return steps;
+        return path.steps();
     }
 
     void tell(const ball& reached, long bits) const {

@@ -68,13 +68,7 @@ public:
 
 private:
     bool complete() {
-        long steps = 0;
-        hybrid_path path(system_, bits_.now(), route_, [&](const ball& reached, long bits) {
-            ++steps;
-            if (watch_) {
-                watch_(reached, bits);
-            }
-        });
+        hybrid_path path(system_, bits_.now(), route_, watch_);
         const precision_scope scope(decimal_digits(bits_.now()) + 10);
         std::optional<std::size_t> at_zero;
         for (const std::size_t index : order_) {
@@ -94,7 +88,7 @@ private:
                 at_zero = at_zero.value_or(index);
             }
         }
-        return !at_zero || given_up(*at_zero, steps);
+        return !at_zero || given_up(*at_zero, path.steps());
     }
 
     // The digits of the values, or bounds; false if one that excludes 0 needs more bits.

@@ -27,7 +27,7 @@ error no_limit(const std::string& what) { return {error_kind::undecided, "time",
 
 // Throws error unless the proof ended for lack of precision.
 void require_precision_alone(const proved_march& march) {
-    if (march.end() != march_end::precision) {
+    if (march.end() != stop::precision) {
         throw no_limit("is not reached: the solution is proved to exist up to " +
                        proved_reach_text(march.reached(), true) + ", and no further step is proved");
     }

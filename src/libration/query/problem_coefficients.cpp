@@ -108,7 +108,7 @@ std::vector<wide_t<ball>> proved_about_time(const coefficient_request& request, 
     proved_march march(request.system, static_cast<long>(ball::working_bits()) + 64, {}, proved_march::usual_error_bits,
                        route);
     const auto values = march.at(time);
-    if (!values && march.end() == march_end::precision) {
+    if (!values && march.end() == stop::precision) {
         throw precision_exhausted("the path to the point");
     }
     if (!values) {

@@ -37,7 +37,7 @@ private:
                            as_unknown_ ? as_unknown_->condition : request_.g, list_.bits(), request_.direction, route_,
                            [&](const ball& reached, long bits) { tell(reached, bits); });
         const auto note_collocation = [&] {
-            const collocation_use& used = search.march().collocation();
+            const collocation_use& used = search.collocation();
             collocation_.assign(used.steps > 0 ? 1 : 0, used);
         };
         find_events(
@@ -45,13 +45,13 @@ private:
             [&](const proved_event& event) {
                 note_collocation();
                 list_.add(event.time, with_given_values(state_of(event), given_));
-                tell(search.march().reached(), list_.bits());
+                tell(search.reached(), list_.bits());
             },
             [&] {
                 note_collocation();
                 continue_beyond(search);
             });
-        return search.march().steps();
+        return search.steps();
     }
 
     void tell(const ball& reached, long bits) const {

@@ -65,7 +65,7 @@ inline std::optional<std::vector<ball>> state_at(proved_march& march, const expl
 
 /// Throws error of the kind undecided if an integration ended before this time for another reason than too few bits.
 inline void require_more_bits(const proved_march& march, const number& time, bool forward) {
-    if (march.end() == march_end::precision) {
+    if (march.end() == stop::precision) {
         return;
     }
     throw error(error_kind::undecided, "time", text_of_time(time),
@@ -145,6 +145,7 @@ private:
                 steps += march ? march->steps() : 0;
                 forward = each.forward;
                 march.emplace(system_, bits_.now(), watch_, error_bits_, route_);
+                march->aim(times_[farthest(forward)]);
                 march->observe(observer_);
                 if (further_.answered) {
                     march->keep_derivative();
@@ -181,6 +182,17 @@ private:
             done_[each.index] = true;
         }
         return !at_zero || given_up(*at_zero, steps + (march ? march->steps() : 0));
+    }
+
+    // The last time in a direction that is still to be reached.
+    std::size_t farthest(bool forward) const {
+        std::size_t index = 0;
+        for (std::size_t place = 0; place < ends_[forward ? 1 : 0]; ++place) {
+            if (order_[place].forward == forward && !done_[order_[place].index]) {
+                index = order_[place].index;
+            }
+        }
+        return index;
     }
 
     // Without steps: the initial values of a constant solution, and the exponential of the matrix of a linear system; no

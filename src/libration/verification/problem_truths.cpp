@@ -133,7 +133,7 @@ std::vector<ball> problem_truths::proved_state(const exact& time, long digits) {
         if (const auto state = way->march->at(at)) {
             return *state;
         }
-        if (way->march->end() == march_end::steps) {
+        if (way->march->end() == stop::step_too_small) {
             break;
         }
         way->march.reset();
@@ -277,7 +277,7 @@ std::optional<std::vector<moved_value>> problem_truths::moved_at(const exact& at
                 return moved;
             }
             way.error_bits *= 2;
-        } else if (way.march->end() == march_end::steps) {
+        } else if (way.march->end() == stop::step_too_small) {
             return std::nullopt;
         }
         way.march.reset();

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "libration/equation/constant_value.hpp"
 #include "libration/equation/text/parse.hpp"
 #include "libration/integration/collocation/collocation_integrator.hpp"
 #include "libration/query/states.hpp"

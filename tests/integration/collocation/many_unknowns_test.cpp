@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
+#include "libration/equation/constant_value.hpp"
 #include "libration/equation/text/parse.hpp"
 #include "libration/query/states.hpp"
 #include "libration/scalar/ball/functions.hpp"

@@ -1,5 +1,5 @@
 // The sets of Taylor models against closed forms at points of the box.
-#include "libration/integration/model/model_march.hpp"
+#include "libration/integration/model/model_rule.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -25,6 +25,16 @@ using tests::text_of;
 namespace {
 
 constexpr long digits_of_values = 60;
+
+integration along_models(const explicit_system& system, const state_set& start, std::size_t variables,
+                         int direction = 1) {
+    auto rule = std::make_shared<model_rule>(system, variables);
+    flow_state begin = rule->start_from(start);
+    return integration(std::move(begin), std::move(rule), infinite_distance(direction), model_rule::working_bits);
+}
+
+// At the time reached.
+model_set set_of(const integration& along) { return model_state::of(along.last())->set; }
 
 // p_i(a) and its errors.
 ball value_at(const model_set& of, std::size_t i, const std::vector<ball>& a) {
@@ -59,28 +69,29 @@ void check_steps(const known_problem& known, const std::vector<ball>& a) {
     for (std::size_t j = 0; j < box.size(); ++j) {
         numbers.push_back(middle_of(box[j]) + radius_of(box[j]).exact() * a[j]);
     }
-    model_march march(problem.system(), problem.states_of(box), box.size(), {});
+    integration along = along_models(problem.system(), problem.states_of(box), box.size());
     const std::size_t place = problem.own().front();
     ball end;
     arf_set_d(arb_midref(end.handle()), known.until);
-    while (exactly_less(march.reached(), end)) {
-        INFO(known.text << " at " << text_of(march.reached()));
-        const ball there = known.first(march.reached(), numbers);
-        const ball here = value_at(*march.set(), place, a);
+    for (std::size_t k = 0; exactly_less(along.reached(), end); ++k) {
+        const ball begin = along.reached();
+        INFO(known.text << " at " << text_of(begin));
+        const ball there = known.first(begin, numbers);
+        const model_set set = set_of(along);
+        const ball here = value_at(set, place, a);
         INFO(text_of(here) << " should contain " << text_of(there));
         CHECK(contains(here, there));
-        CHECK(contains(march.set()->range(place), there));
-        CHECK(march.set()->reach(place) <= magnitude::of(1, known.log2_of_errors));
-        const enclosed_step* const step = march.prepare_towards(end);
-        REQUIRE(step != nullptr);
-        const ball half = exact_multiple(step->length_of_step(), 1, -1);
-        const ball in_the_middle = known.first(exact_sum(march.reached(), half), numbers);
-        CHECK(contains(step->values_at(half)[place], in_the_middle));
-        CHECK(contains(step->narrow_values_at(half)[place], in_the_middle));
-        const ball whole = step->values_at(hull(ball(0), step->length_of_step()))[place];
+        CHECK(contains(set.range(place), there));
+        CHECK(set.reach(place) <= magnitude::of(1, known.log2_of_errors));
+        const step* const next = along[k];
+        REQUIRE(next != nullptr);
+        const ball half = exact_multiple(next->length(), 1, -1);
+        const ball in_the_middle = known.first(exact_sum(begin, half), numbers);
+        CHECK(contains(next->values(half)[place], in_the_middle));
+        CHECK(contains(next->narrow_values(half)[place], in_the_middle));
+        const ball whole = next->values(hull(ball(0), next->length()))[place];
         CHECK(contains(whole, in_the_middle));
         CHECK(contains(whole, there));
-        march.take_prepared(1);
     }
 }
 
@@ -123,13 +134,12 @@ TEST_CASE("the errors of a set of Taylor models move with the solutions of the w
     const auto part = [](long eighths) { return ball(ball(eighths) / 8); };
     const state_set start{
         {part(4)}, lohner_set({{part(2)}, {ball(1)}}, {1, 1}, {magnitude(1U), magnitude()}, {magnitude::of(1, -3)})};
-    model_march march(system, start, 1, {});
-    while (exactly_less(march.reached(), part(5))) {
-        const ball largest = part(7) / (ball(1) - part(7) * march.reached());
-        INFO(text_of(march.reached()));
-        CHECK_FALSE(certainly_less(upper_bound(value_at(*march.set(), 0, {ball(1)})), largest));
-        REQUIRE(march.prepare_towards(ball(1)) != nullptr);
-        march.take_prepared(1);
+    integration along = along_models(system, start, 1);
+    for (std::size_t k = 0; exactly_less(along.reached(), part(5)); ++k) {
+        const ball largest = part(7) / (ball(1) - part(7) * along.reached());
+        INFO(text_of(along.reached()));
+        CHECK_FALSE(certainly_less(upper_bound(value_at(set_of(along), 0, {ball(1)})), largest));
+        REQUIRE(along[k] != nullptr);
     }
 }
 
@@ -139,19 +149,17 @@ TEST_CASE("a step of Taylor models is within the radius of its bounds", "[ode][p
     for (const std::string more : {"", "; y' = b; y(0) = 0", "; y' = y; y(0) = b", "; y' = -y; y(0) = b - b"}) {
         INFO(more);
         const set_problem problem(parse("x' = x^2; x(0) = 1 + 0*b; b = [1, 2]" + more));
-        model_march march(problem.system(), problem.states_of(problem.box()), 1, {});
-        while (march.prepare_towards(ball(2)) != nullptr) {
-            march.take_prepared(1);
-            REQUIRE(exactly_less(march.reached(), ball(1)));
+        integration along = along_models(problem.system(), problem.states_of(problem.box()), 1);
+        for (std::size_t k = 0; along[k] != nullptr; ++k) {
+            REQUIRE(exactly_less(along.reached(), ball(1)));
         }
-        CHECK(march.steps() > 0);
+        CHECK(along.cost() > 0);
     }
     // From a box from which no solution reaches 3.
     const set_problem wide(parse("x' = x^2 + y; y' = y; x(0) = [1/2, 1]; y(0) = [0, 1]"));
-    model_march march(wide.system(), wide.states_of(wide.box()), 2, {});
-    while (march.prepare_towards(ball(3)) != nullptr) {
-        march.take_prepared(1);
-        REQUIRE(exactly_less(march.reached(), ball(1)));
+    integration along = along_models(wide.system(), wide.states_of(wide.box()), 2);
+    for (std::size_t k = 0; along[k] != nullptr; ++k) {
+        REQUIRE(exactly_less(along.reached(), ball(1)));
     }
 }
 
@@ -191,15 +199,16 @@ TEST_CASE("solutions of random problems are in the sets of Taylor models", "[ode
         const precision_scope scope(digits_of_values);
         const set_problem problem(parse(text));
         const number_box box = problem.box();
-        model_march march(problem.system(), problem.states_of(box), unknowns, {});
-        for (int step = 0; step < 12; ++step) {
-            const enclosed_step* const next = march.prepare_towards(ball(direction));
+        integration along = along_models(problem.system(), problem.states_of(box), unknowns, direction);
+        std::optional<flow_state> reached;
+        for (std::size_t k = 0; k < 12; ++k) {
+            const step* const next = along[k];
             if (next == nullptr || next->reaches(ball(8))) {
                 break;
             }
-            march.take_prepared(direction);
+            reached = next->end();
         }
-        for (int corner = 0; march.steps() > 0 && corner < 3; ++corner) {
+        for (int corner = 0; reached && corner < 3; ++corner) {
             std::vector<ball> a;
             for (std::size_t j = 0; j < unknowns; ++j) {
                 a.emplace_back(from.between(-1, 1));
@@ -211,11 +220,12 @@ TEST_CASE("solutions of random problems are in the sets of Taylor models", "[ode
                 start.push_back(middle_of(box[j]) + radius_of(box[j]).exact() * a[j]);
             }
             proved_march single(problem.system(), start, 120);
-            const auto there = single.at(march.reached());
+            const auto there = single.at(reached->time);
             REQUIRE(there);  // all solutions from the box exist
             for (std::size_t i = 0; i < unknowns; ++i) {
-                INFO(text_of(value_at(*march.set(), i, a)) << " should contain " << text_of((*there)[i]));
-                CHECK(contains(value_at(*march.set(), i, a), (*there)[i]));
+                INFO(text_of(value_at(model_state::of(*reached)->set, i, a))
+                     << " should contain " << text_of((*there)[i]));
+                CHECK(contains(value_at(model_state::of(*reached)->set, i, a), (*there)[i]));
                 ++compared;
             }
         }

@@ -3,7 +3,9 @@
 
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "libration/equation/polynomial_form.hpp"
@@ -11,6 +13,7 @@
 
 namespace libration::ode {
 
+class step_tube;
 class tube_proof;
 struct tube_candidate;
 
@@ -64,8 +67,8 @@ public:
     const ball& next_length() const;
     /// The unknowns at a distance from reached(), between 0 and length(); after prepare().
     std::vector<ball> values_at(const ball& distance) const;
-    /// Their derivatives there, from that of the approximate solution and bounds over the step (tube_proof).
-    std::vector<ball> slopes_at(const ball& distance) const;
+    /// The prepared step, which remains.
+    std::shared_ptr<const step_tube> prepared() const;
     /// Takes the prepared step.
     void step();
 
@@ -79,8 +82,31 @@ public:
     int steps_without_fast_modes() const;
 
 private:
+    friend class step_tube;
     struct parts;
-    std::unique_ptr<parts> parts_;
+    std::shared_ptr<parts> parts_;
+};
+
+/// The tube of a step, from its beginning over length(), which is exact and has the sign of the direction.
+class step_tube {
+public:
+    step_tube(std::shared_ptr<collocation_integrator::parts> by, solution_tube tube)
+        : by_(std::move(by)), tube_(std::move(tube)) {}
+
+    const ball& length() const { return tube_.on.length; }
+    const solution_tube& tube() const { return tube_; }
+    /// The unknowns of the polynomial form at a distance between 0 and length().
+    std::vector<ball> values_at(const ball& distance) const;
+    /// Their derivatives there, from that of the approximate solution and bounds over the step (tube_proof).
+    std::vector<ball> slopes_at(const ball& distance) const;
+    /// The set at its end.
+    tube_set end() const;
+
+private:
+    std::shared_ptr<collocation_integrator::parts> by_;
+    solution_tube tube_;
+    mutable std::optional<std::vector<magnitude>> slope_errors_;  // computed on demand
+    mutable std::once_flag has_slope_errors_;
 };
 
 }  // namespace libration::ode

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "libration/equation/explicit_system.hpp"
@@ -26,6 +27,7 @@ public:
 
     /// The solution is analytic in |s| < radius().
     const magnitude& radius() const { return tail_.radius; }
+    int degree() const { return tail_.degree; }
     /// Enclosures of the unknowns and their lower derivatives, in order, at real or complex s, |s| < radius() except
     /// near the edge: throws precision_exhausted if a derivative of e is not bounded by its first term.
     template <field R>
@@ -42,9 +44,10 @@ private:
 /// The solution of a system with a singular initial point shortly after that point, where its right-hand sides have
 /// values.
 struct singular_step {
-    explicit_system beyond;        ///< the first-order system, at a point after the initial one
-    std::vector<ball> state;       ///< the unknowns and their lower derivatives there, in order
-    std::vector<ball> on_the_way;  ///< enclosures of all their values between the initial point and there
+    explicit_system beyond;                         ///< the first-order system, at a point after the initial one
+    std::shared_ptr<const singular_series> series;  ///< about the initial point
+    ball length;                                    ///< from there to that point, exact
+    std::vector<ball> state;                        ///< the unknowns and their lower derivatives there, in order
 };
 
 /// By a singular_series with a remainder below 2^-bits of the unknowns, whose errors it throws.

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "libration/equation/equation_system.hpp"
+#include "libration/integration/integration.hpp"
 #include "libration/integration/proof_route.hpp"
-#include "libration/integration/proved_march.hpp"
 #include "libration/scalar/ball/ball.hpp"
 #include "libration/scalar/error.hpp"
 

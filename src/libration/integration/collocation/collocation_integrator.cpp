@@ -68,7 +68,7 @@ struct collocation_integrator::parts {
     }
 
     // True if the step of the present length is proved; otherwise changes the length.
-    bool attempt() {
+    bool attempt(const std::shared_ptr<parts>& self) {
         const step_interval on{time, next};
         const auto ended = solver->solve(on, aimed, floors());
         if (ended != collocation_solver::outcome::solved) {
@@ -83,7 +83,7 @@ struct collocation_integrator::parts {
             change_length(0.5);
             return false;
         }
-        tube = std::move(*proved);
+        tube = std::make_shared<step_tube>(self, std::move(*proved));
         const precision_scope scope(decimal_digits(accuracy.product_bits));
         found_end = end_of(candidate->curve, candidate->scales);
         growth.accept(factor);
@@ -113,15 +113,14 @@ struct collocation_integrator::parts {
     // by more than the errors of a step: in fast modes an initial layer that would keep steps short.
     tube_set aimed;
     std::vector<ball> found_end;
-    std::optional<solution_tube> tube;
-    std::optional<std::vector<magnitude>> slope_errors;  // computed on demand
+    std::shared_ptr<const step_tube> tube;
     tube_rule rule;
     length_growth growth;
     int without_fast = 0;
 };
 
 collocation_integrator::collocation_integrator(const polynomial_form& of, long bits, int more_terms, const tuning& by)
-    : parts_(std::make_unique<parts>(of, bits, more_terms, by)) {}
+    : parts_(std::make_shared<parts>(of, bits, more_terms, by)) {}
 collocation_integrator::~collocation_integrator() = default;
 
 void collocation_integrator::prove_by(tube_rule rule) { parts_->rule = std::move(rule); }
@@ -146,47 +145,51 @@ void collocation_integrator::begin(const ball& time, tube_set start, const ball&
     parts_->next = length;
     parts_->change_length(parts_->map.size() < least_size_in_double ? 1 : first_growth_of_many);
     parts_->tube.reset();
-    parts_->slope_errors.reset();
     parts_->growth.restart();
     parts_->without_fast = 0;
 }
 
 bool collocation_integrator::prepare() {
     for (int rejected = 0; !parts_->tube && rejected < length_growth::most_rejections; ++rejected) {
-        if (parts_->attempt()) {
+        if (parts_->attempt(parts_)) {
             return true;
         }
         parts_->growth.restart();
     }
-    return parts_->tube.has_value();
+    return parts_->tube != nullptr;
 }
 
-const ball& collocation_integrator::length() const { return parts_->tube->on.length; }
+const ball& collocation_integrator::length() const { return parts_->tube->length(); }
 
 const ball& collocation_integrator::next_length() const { return parts_->next; }
 
 std::vector<ball> collocation_integrator::values_at(const ball& distance) const {
-    const precision_scope scope(decimal_digits(parts_->accuracy.product_bits));
     return parts_->tube->values_at(distance);
 }
 
-std::vector<ball> collocation_integrator::slopes_at(const ball& distance) const {
-    const precision_scope scope(decimal_digits(parts_->accuracy.product_bits));
-    if (!parts_->slope_errors) {
-        parts_->slope_errors = parts_->proof->slope_errors(*parts_->tube);
-    }
-    return parts_->tube->slopes_at(distance, *parts_->slope_errors);
+std::shared_ptr<const step_tube> collocation_integrator::prepared() const { return parts_->tube; }
+
+std::vector<ball> step_tube::values_at(const ball& distance) const {
+    const precision_scope scope(decimal_digits(by_->accuracy.product_bits));
+    return tube_.values_at(distance);
 }
+
+std::vector<ball> step_tube::slopes_at(const ball& distance) const {
+    const precision_scope scope(decimal_digits(by_->accuracy.product_bits));
+    std::call_once(has_slope_errors_, [this] { slope_errors_ = by_->proof->slope_errors(tube_); });
+    return tube_.slopes_at(distance, *slope_errors_);
+}
+
+tube_set step_tube::end() const { return tube_.end(by_->accuracy.product_bits, by_->accuracy.frame_bits); }
 
 void collocation_integrator::step() {
     parts& now = *parts_;
-    arb_add(now.time.handle(), now.time.handle(), now.tube->on.length.handle(), ARF_PREC_EXACT);
-    now.without_fast = now.tube->slow == now.map.size() ? now.without_fast + 1 : 0;
-    now.set = now.tube->end(now.accuracy.product_bits, now.accuracy.frame_bits);
+    arb_add(now.time.handle(), now.time.handle(), now.tube->length().handle(), ARF_PREC_EXACT);
+    now.without_fast = now.tube->tube().slow == now.map.size() ? now.without_fast + 1 : 0;
+    now.set = now.tube->end();
     now.aimed = now.set;
     now.aimed.centre = std::move(now.found_end);
     now.tube.reset();
-    now.slope_errors.reset();
     now.change_length(now.growth.factor());
 }
 

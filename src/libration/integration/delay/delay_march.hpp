@@ -12,7 +12,8 @@
 #include "delay_errors.hpp"
 #include "delay_pieces.hpp"
 #include "libration/equation/delay_system.hpp"
-#include "libration/integration/proved_march.hpp"
+#include "libration/integration/integration.hpp"
+#include "libration/integration/taylor/step_length.hpp"
 #include "libration/scalar/ball/failure.hpp"
 
 namespace libration::ode {
@@ -53,7 +54,7 @@ public:
             }
             return values_at(distance);
         } catch (const precision_exhausted&) {
-            end_ = march_end::precision;
+            end_ = stop::precision;
         }
         return std::nullopt;
     }
@@ -68,14 +69,14 @@ public:
             }
             return take_step() ? &pieces_.steps().back() : nullptr;
         } catch (const precision_exhausted&) {
-            end_ = march_end::precision;
+            end_ = stop::precision;
         }
         return nullptr;
     }
     // The time of the beginning of such a step.
     R beginning_of(const delay_step<R>& step) const { return R(origin_ + step.begins); }
 
-    march_end end() const { return end_; }
+    stop end() const { return end_; }
     // The time up to which the steps lead.
     ball reached() const { return as_ball(R(origin_ + next_begins_)); }
     long steps() const { return steps_; }
@@ -159,7 +160,7 @@ private:
             }
             end = shorter(length);
         }
-        end_ = has_digits() ? march_end::steps : march_end::precision;
+        end_ = has_digits() ? stop::step_too_small : stop::precision;
         return false;
     }
 
@@ -224,7 +225,7 @@ private:
     bool complete_ = false;            // whether the steps extend to its end
     std::vector<R> state_;             // at the beginning of the next step
     long steps_ = 0;
-    march_end end_ = march_end::none;
+    stop end_ = stop::none;
 };
 
 // The series about the beginning of the step; false if the values there are not finite.

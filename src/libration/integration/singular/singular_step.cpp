@@ -135,14 +135,16 @@ template std::vector<complex_number<ball>> singular_series::at(const complex_num
 
 singular_step proved_singular_step(const explicit_system& system, long bits, const proof_route& route) {
     const precision_scope scope(decimal_digits(bits) + 10);
-    const singular_series series(system, bits, static_cast<int>(bits / bits_a_power) + more_powers, route);
-    const long exponent = series.radius().exponent() - 1 - bits_a_power;
+    auto series = std::make_shared<const singular_series>(system, bits,
+                                                          static_cast<int>(bits / bits_a_power) + more_powers, route);
+    const long exponent = series->radius().exponent() - 1 - bits_a_power;
     const rational power = exponent < 0 ? rational(1, integer(1) << static_cast<unsigned>(-exponent))
                                         : rational(integer(1) << static_cast<unsigned>(exponent));
     const rational step = power * rational(route.step_eighths, 8);
     const ball distance = from_rational<ball>(step);  // exact: three bits
-    return {first_order_form(system).about_points(system.point() + number(step)), series.at(distance),
-            series.at(hull(ball(0), distance))};
+    auto state = series->at(distance);
+    return {first_order_form(system).about_points(system.point() + number(step)), std::move(series), distance,
+            std::move(state)};
 }
 
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "libration/equation/explicit_system.hpp"
-#include "libration/integration/proved_march.hpp"
+#include "libration/integration/integration.hpp"
 #include "libration/integration/taylor/taylor_march.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/proved.hpp"
@@ -18,21 +18,26 @@ constexpr long bits_of_sides = 6;
 constexpr int latest_time_of_sides = 100'000;
 
 std::optional<side> side_of(const equation_system& system, long bits, const state_test& decided, const ball& least) {
-    proved_march march(explicit_system(system), bits);
-    march.weigh_by_errors();
-    for (const proved_step* step = march.prepare();
-         step != nullptr && certainly_less(march.reached(), ball(latest_time_of_sides)); step = march.prepare()) {
-        if (const auto found = decided(step->values_at(ball(0)))) {
+    const explicit_system of(system);
+    proof_route by_series;
+    by_series.integrator = integrator_choice::taylor;
+    integration along(start_of(of, bits), rule_for(of, {bits}, by_series, error_weights::absolute),
+                      infinite_distance(1), bits);
+    for (std::size_t k = 0; const step* const here = along[k]; ++k) {
+        if (!certainly_less(here->from().time, ball(latest_time_of_sides))) {
+            break;
+        }
+        if (const auto found = decided(here->values(ball(0)))) {
             return found;
         }
-        const ball piece = step->length().exact() / pieces_of_a_step;
-        for (int k = 0; k < pieces_of_a_step; ++k) {
-            const auto values = step->values_at(hull(piece * k, piece * (k + 1)));
+        const ball piece = here->length() / pieces_of_a_step;
+        for (int i = 0; i < pieces_of_a_step; ++i) {
+            const auto values = here->values(hull(piece * i, piece * (i + 1)));
             if (!certainly_less(least, values[1])) {
                 return std::nullopt;
             }
         }
-        march.take(*step, 1);
+        along.forget_before(k);
     }
     return std::nullopt;
 }

@@ -146,8 +146,8 @@ void event_question::note_end(const zero_search& search, std::size_t index, set_
             result.may_divide = false;
             break;
         case search_end::horizon:
-            result.reason = "is not found within " + std::to_string(search.march().steps()) + " steps, up to " +
-                            proved_reach_text(search.march().reached(), direction_ >= 0) +
+            result.reason = "is not found within " + std::to_string(search.steps()) + " steps, up to " +
+                            proved_reach_text(search.reached(), direction_ >= 0) +
                             ": give an end of the search, or a larger horizon: " + found + " were found";
             result.may_divide = false;
             break;
@@ -159,7 +159,7 @@ void event_question::note_end(const zero_search& search, std::size_t index, set_
         case search_end::none:
         case search_end::steps:
         case search_end::precision:
-            result.reason = text_of_reach(search.march().reached(), search.march().steps() > 0, direction_ >= 0);
+            result.reason = text_of_reach(search.reached(), search.steps() > 0, direction_ >= 0);
             break;
     }
 }
@@ -188,13 +188,13 @@ set_run_result event_question::enclosed_from(const number_box& box, bool with_de
         const auto event = search.next(asked_.way, asked_.before, asked_.horizon);
         if (!event) {
             note_end(search, i, result);
-            result.begins = search.march().steps() > 0;
+            result.begins = search.steps() > 0;
             result.may_divide = result.may_divide && (result.begins || is_defined_at_corners(of_, box));
         }
         if (!event || !note_event(*event, of_start, with_derivatives, i, result)) {
-            result.reached = search.march().reached();
-            if (search.march().derivative()) {
-                const ball_matrix all = product(*search.march().derivative(), of_start);
+            result.reached = search.reached();
+            if (const auto derivative = search.derivative()) {
+                const ball_matrix all = product(*derivative, of_start);
                 ball_matrix own;
                 for (const std::size_t place : of_.own()) {
                     own.push_back(all[place]);
@@ -204,7 +204,7 @@ set_run_result event_question::enclosed_from(const number_box& box, bool with_de
             break;
         }
     }
-    result.steps = search.march().steps();
+    result.steps = search.steps();
     return result;
 }
 

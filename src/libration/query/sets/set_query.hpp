@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "libration/integration/proved_march.hpp"
+#include "libration/equation/constant_value.hpp"
+#include "libration/integration/integration.hpp"
 #include "set_problem.hpp"
 
 namespace libration::ode {

@@ -6,9 +6,10 @@
 #include <optional>
 #include <utility>
 
-#include "../../integration/model/model_march.hpp"
 #include "../../integration/model/model_range.hpp"
+#include "../../integration/model/model_rule.hpp"
 #include "libration/equation/first_order_form.hpp"
+#include "libration/integration/integration.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 
 namespace libration::ode {
@@ -85,17 +86,28 @@ struct set_run_request {
     const march_watch& watch;
 };
 
-// By any integrator.
+// By any rule.
 class set_run {
 public:
-    set_run(const set_run_request& how, set_run_result& result)
-        : how_(how), result_(result), form_(how.of.system()), of_start_(how.of.derivative_of_start(how.box)) {}
+    set_run(const set_run_request& how, set_run_result& result, flow_state start, std::shared_ptr<step_rule> rule,
+            long bits)
+        : how_(how),
+          result_(result),
+          form_(how.of.system()),
+          of_start_(how.of.derivative_of_start(how.box)),
+          origin_(start.time),
+          along_(std::move(start), std::move(rule), origin_, bits, how.watch) {}
     set_run(const set_run&) = delete;
     set_run& operator=(const set_run&) = delete;
     virtual ~set_run() = default;
 
     // False if the proof ends before the last of the spans.
     bool reaches(std::vector<distance_span>& parts) {
+        ball farthest(0);
+        for (const distance_span& each : parts) {
+            farthest = exactly_less(farthest, each.to) ? each.to : farthest;
+        }
+        along_.aim(exact_sum(origin_, signed_distance(farthest)));
         try {
             while (!std::ranges::all_of(parts, &distance_span::done)) {
                 if (!takes_step(parts)) {
@@ -108,27 +120,26 @@ public:
         }
     }
 
-    ball reached() { return march().reached(); }
+    const ball& reached() const { return along_.reached(); }
     long steps() const { return steps_; }
     virtual std::vector<width_shares> shares_at_end() const = 0;
 
 protected:
-    virtual enclosed_steps& march() = 0;
-    // Before the end of the run, that the step is used up to a time.
-    virtual void use(const ball& /*time*/) {}
-    // With respect to the initial state, at a distance within the step; more narrowly at a time than on a piece.
-    virtual ball_matrix derivative_of_flow(const ball& distance, bool at_time) = 0;
+    // With respect to the initial state, at a distance within a step; more narrowly at a time than on a piece.
+    virtual ball_matrix derivative_of_flow(const step& of, const ball& distance, bool /*at_time*/) const {
+        return of.derivative(distance);
+    }
     // One of its values with an excess of about 2^log2_of_excess_on_pieces, or in `enough`; std::nullopt if values_at() is
     // as narrow.
-    virtual std::optional<ball> narrow_value(const enclosed_step& /*step*/, std::size_t /*place*/,
-                                             const ball& /*distance*/,
+    virtual std::optional<ball> narrow_value(const step& /*of*/, std::size_t /*place*/, const ball& /*distance*/,
                                              const std::optional<enough_bounds>& /*enough*/) const {
         return std::nullopt;
     }
     // Of the values at the beginning of the step.
-    virtual std::vector<model_excess> excess_at_start() { return {}; }
+    virtual std::vector<model_excess> excess_at_start(const step& /*of*/) const { return {}; }
 
     const set_run_request& how() const { return how_; }
+    flow_state last() const { return along_.last(); }
     // With respect to the numbers of the box, from that with respect to the initial state.
     ball_matrix by_box(const ball_matrix& of_flow) const {
         ball_matrix result;
@@ -146,78 +157,69 @@ protected:
 private:
     ball signed_distance(const ball& distance) const { return how_.forward ? distance : -distance; }
 
-    ball_matrix derivatives_at(const ball& distance, bool at_time) {
-        return how_.with_derivatives ? by_box(derivative_of_flow(distance, at_time))
+    ball_matrix derivatives_at(const step& of, const ball& distance, bool at_time) const {
+        return how_.with_derivatives ? by_box(derivative_of_flow(of, distance, at_time))
                                      : ball_matrix(how_.of.own().size());
     }
 
     bool takes_step(std::vector<distance_span>& parts) {
-        ball farthest = gone_;
-        for (const distance_span& each : parts) {
-            farthest = exactly_less(farthest, each.to) ? each.to : farthest;
-        }
-        const ball rest = signed_distance(exact_sum(farthest, -gone_));
-        const enclosed_step* const step = march().prepare_towards(rest);
-        if (step == nullptr) {
+        const step* const next = along_[number_];
+        if (next == nullptr) {
             return false;
         }
         ++steps_;
-        const ball length = step->length_of_step();
+        const ball length = abs(next->length());
         const ball end = exact_sum(gone_, length);
         for (distance_span& each : parts) {
             if (!each.done && is_not_beyond(each.from, end)) {
                 each.done = is_not_beyond(each.to, end);
                 const ball first = exactly_less(gone_, each.from) ? exact_sum(each.from, -gone_) : ball(0);
-                enclose(*step, first, each.done ? exact_sum(each.to, -gone_) : length, each.index);
+                enclose(*next, first, each.done ? exact_sum(each.to, -gone_) : length, each.index);
             }
         }
-        if (is_not_beyond(farthest, end)) {
-            use(march().reached() + rest);
-        } else {
-            march().take_prepared(how_.forward ? 1 : -1);
-            gone_ = end;
-        }
+        along_.forget_before(number_++);
+        gone_ = end;
         return true;
     }
 
     // The solutions from one distance to another within a step.
-    void enclose(const enclosed_step& step, const ball& first, const ball& last, std::size_t index) {
+    void enclose(const step& of, const ball& first, const ball& last, std::size_t index) {
         if (!is_long(first, last)) {
             const ball distance = signed_distance(hull(first, last));
-            const auto over = step.narrow_values_at(distance);
+            const auto over = of.narrow_values(distance);
             std::vector<closed_interval> values;
             for (const std::size_t place : how_.of.own()) {
                 values.push_back({lower_bound(over[place]), upper_bound(over[place])});
             }
-            add({values, derivatives_at(distance, true), excess_at_start()}, index);
+            add({values, derivatives_at(of, distance, true), excess_at_start(of)}, index);
             return;
         }
         const ball piece = exact_multiple(exact_sum(last, -first), 1, -log2_of_pieces);
-        moment from = moment_at(step, first);
+        moment from = moment_at(of, first);
         for (int i = 1; i <= 1 << log2_of_pieces; ++i) {
-            moment to = moment_at(step, i == 1 << log2_of_pieces ? last : exact_sum(from.distance, piece));
-            enclose_piece(step, from, to, index, most_halvings_of_piece);
+            moment to = moment_at(of, i == 1 << log2_of_pieces ? last : exact_sum(from.distance, piece));
+            enclose_piece(of, from, to, index, most_halvings_of_piece);
             from = std::move(to);
         }
     }
 
-    moment moment_at(const enclosed_step& step, const ball& distance) const {
-        auto values = step.values_at(signed_distance(distance));
+    moment moment_at(const step& of, const ball& distance) const {
+        auto values = of.values(signed_distance(distance));
         std::vector<std::optional<ball>> narrow(values.size());
         return {distance, std::move(values), std::move(narrow)};
     }
 
     // A piece that would extend the bounds is enclosed more narrowly if it can be, and halved if a value may turn on it.
-    void enclose_piece(const enclosed_step& step, moment& first, moment& last, std::size_t index, int halvings) {
-        moment middle = moment_at(step, exact_multiple(exact_sum(first.distance, last.distance), 1, -1));
-        std::vector<bounded_value> values = bounded(step, {&first, &middle, &last}, index);
+    void enclose_piece(const step& of, moment& first, moment& last, std::size_t index, int halvings) {
+        moment middle = moment_at(of, exact_multiple(exact_sum(first.distance, last.distance), 1, -1));
+        std::vector<bounded_value> values = bounded(of, {&first, &middle, &last}, index);
         if (halvings > 0 && std::ranges::any_of(values, [](const bounded_value& v) { return v.extends && !v.sharp; })) {
-            enclose_piece(step, first, middle, index, halvings - 1);
-            enclose_piece(step, middle, last, index, halvings - 1);
+            enclose_piece(of, first, middle, index, halvings - 1);
+            enclose_piece(of, middle, last, index, halvings - 1);
             return;
         }
         const ball distance = signed_distance(hull(first.distance, last.distance));
-        set_image image{{}, derivatives_at(distance, false), excess_at_start()};
+        set_image image{{}, derivatives_at(of, distance, false), excess_at_start(of)};
         for (bounded_value& each : values) {
             image.values.push_back(std::move(each.bounds));
         }
@@ -246,13 +248,13 @@ private:
 
     // Whether a piece is more than the rounding of one time.
     bool is_long(const ball& first, const ball& last) {
-        return exactly_less(exact_sum(first, exact_multiple(last, 1, -march().bits() / 2)), last);
+        return exactly_less(exact_sum(first, exact_multiple(last, 1, -along_.bits() / 2)), last);
     }
 
-    std::vector<bounded_value> bounded(const enclosed_step& step, const piece_moments& at, std::size_t index) {
+    std::vector<bounded_value> bounded(const step& of, const piece_moments& at, std::size_t index) {
         const ball distance = signed_distance(hull(at[0]->distance, at[2]->distance));
-        const auto over = step.values_at(distance);
-        const auto slopes = form_.slopes_at(over, ball(march().reached() + distance));
+        const auto over = of.values(distance);
+        const auto slopes = form_.slopes_at(over, ball(of.from().time + distance));
         const magnitude half(exact_sum(at[2]->distance, -at[1]->distance));
         std::vector<bounded_value> result;
         for (std::size_t k = 0; k < how_.of.own().size(); ++k) {
@@ -260,11 +262,11 @@ private:
             bounded_value value = bounded_by(over[place], values_of(at, place), slopes[place], half);
             if (extends(value.bounds, k, index)) {
                 const std::optional<enough_bounds> enough = enough_for(k, index);
-                narrow_at(step, *at[0], place, enough);
-                narrow_at(step, *at[2], place, enough);
+                narrow_at(of, *at[0], place, enough);
+                narrow_at(of, *at[2], place, enough);
                 if (known_sign(slopes[place]) == 0) {
                     const magnitude change = magnitude(slopes[place]) * half;
-                    narrow_at(step, *at[1], place, enough ? std::optional(enough->before_widening(change)) : enough);
+                    narrow_at(of, *at[1], place, enough ? std::optional(enough->before_widening(change)) : enough);
                 }
                 value.bounds = bounded_by(over[place], narrowest_of(at, place), slopes[place], half).bounds;
                 value.extends = extends(value.bounds, k, index);
@@ -280,10 +282,9 @@ private:
         return kept ? std::optional(enough_bounds{kept->values[k].lower, kept->values[k].upper}) : std::nullopt;
     }
 
-    void narrow_at(const enclosed_step& step, moment& at, std::size_t place,
-                   const std::optional<enough_bounds>& enough) const {
+    void narrow_at(const step& of, moment& at, std::size_t place, const std::optional<enough_bounds>& enough) const {
         if (!at.narrow[place]) {
-            at.narrow[place] = narrow_value(step, place, signed_distance(at.distance), enough);
+            at.narrow[place] = narrow_value(of, place, signed_distance(at.distance), enough);
         }
     }
 
@@ -312,7 +313,10 @@ private:
     set_run_result& result_;
     first_order_form form_;
     ball_matrix of_start_;
-    ball gone_{0};  // the distance at the beginning of the next step
+    ball origin_;
+    integration along_;
+    std::size_t number_ = 0;  // of the next step
+    ball gone_{0};            // the distance at its beginning
     long steps_ = 0;
 };
 
@@ -320,63 +324,62 @@ private:
 class linear_run : public set_run {
 public:
     linear_run(const set_run_request& how, set_run_result& result, const proof_route& route)
-        : set_run(how, result), march_(how.of.system(), how.of.states_of(how.box), how.bits, how.watch, route) {
-        if (how.with_derivatives) {
-            march_.keep_derivative();
-        }
-    }
+        : set_run(how, result, start_of_box(how),
+                  rule_for(how.of.system(), {how.bits}, route, error_weights::any_width), how.bits) {}
 
     std::vector<width_shares> shares_at_end() const override {
-        return march_.derivative() ? shares_of(by_box(*march_.derivative()), how().box) : std::vector<width_shares>();
-    }
-
-protected:
-    enclosed_steps& march() override { return march_; }
-    void use(const ball& time) override { march_.use_prepared(time, how().forward ? 1 : -1); }
-    ball_matrix derivative_of_flow(const ball& distance, bool /*at_time*/) override {
-        return march_.derivative_at(march_.reached() + distance);
+        const auto derivative = last().derivative;
+        return derivative ? shares_of(by_box(*derivative), how().box) : std::vector<width_shares>();
     }
 
 private:
-    proved_march march_;
+    static flow_state start_of_box(const set_run_request& how) {
+        flow_state start{start_of(how.of.system(), how.bits).time, how.of.states_of(how.box), {}, {}};
+        if (how.with_derivatives) {
+            start.derivative = unit_derivative(start.set.centre.size());
+        }
+        return start;
+    }
 };
 
 // By Taylor models.
 class model_run : public set_run {
 public:
     model_run(const set_run_request& how, set_run_result& result)
-        : set_run(how, result), march_(how.of.system(), how.of.states_of(how.box), count_of_wide(how.box), how.watch) {}
+        : model_run(how, result, std::make_shared<model_rule>(how.of.system(), count_of_wide(how.box))) {}
 
     std::vector<width_shares> shares_at_end() const override {
         std::vector<width_shares> result;
-        if (const model_set* const set = march_.set()) {
+        const flow_state end = last();
+        if (const model_state* const at = model_state::of(end)) {
             for (const std::size_t place : how().of.own()) {
-                result.push_back(shares_in(set->models[place]));
+                result.push_back(shares_in(at->set.models[place]));
             }
         }
         return result;
     }
 
 protected:
-    enclosed_steps& march() override { return march_; }
-    ball_matrix derivative_of_flow(const ball& distance, bool at_time) override {
-        return march_.derivative_at(distance, at_time);
+    ball_matrix derivative_of_flow(const step& of, const ball& distance, bool at_time) const override {
+        return at_time ? dynamic_cast<const model_step&>(of).narrow_derivative(distance) : of.derivative(distance);
     }
-    std::optional<ball> narrow_value(const enclosed_step& step, std::size_t place, const ball& distance,
+    std::optional<ball> narrow_value(const step& of, std::size_t place, const ball& distance,
                                      const std::optional<enough_bounds>& enough) const override {
-        return dynamic_cast<const model_step&>(step).narrow_value_at(place, distance, log2_of_excess_on_pieces, enough);
+        return dynamic_cast<const model_step&>(of).narrow_value(place, distance, log2_of_excess_on_pieces, enough);
     }
-    std::vector<model_excess> excess_at_start() override {
+    std::vector<model_excess> excess_at_start(const step& of) const override {
         std::vector<model_excess> result;
-        if (const model_set* const set = march_.set()) {
-            for (const std::size_t place : how().of.own()) {
-                result.push_back({set->reach(place).shifted(1), shares_in(set->models[place])});
-            }
+        const model_set& set = model_state::of(of.from())->set;
+        for (const std::size_t place : how().of.own()) {
+            result.push_back({set.reach(place).shifted(1), shares_in(set.models[place])});
         }
         return result;
     }
 
 private:
+    model_run(const set_run_request& how, set_run_result& result, const std::shared_ptr<model_rule>& rule)
+        : set_run(how, result, rule->start_from(how.of.states_of(how.box)), rule, model_rule::working_bits) {}
+
     // By the terms of a model that are not linear.
     width_shares shares_in(const taylor_model& model) const {
         width_shares result;
@@ -386,8 +389,6 @@ private:
         }
         return result;
     }
-
-    model_march march_;
 };
 
 }  // namespace
@@ -409,7 +410,7 @@ set_run_result span_question::linear_from(const number_box& box, bool with_deriv
 }
 
 std::optional<set_run_result> span_question::enclosed_by_models(const number_box& box, bool with_derivatives) const {
-    if (const std::size_t wide = count_of_wide(box); wide == 0 || wide > model_march::most_variables) {
+    if (const std::size_t wide = count_of_wide(box); wide == 0 || wide > model_rule::most_variables) {
         return std::nullopt;
     }
     return enclosed_by(box, with_derivatives, true, [](const set_run_request& how, set_run_result& result) {

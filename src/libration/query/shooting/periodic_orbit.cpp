@@ -101,7 +101,7 @@ std::size_t fastest(const first_order_form& form) {
 
 // Why a search found no return to the section through the initial point.
 std::string reason_of(const zero_search& search) {
-    const std::string reached = proved_reach_text(search.march().reached(), true);
+    const std::string reached = proved_reach_text(search.reached(), true);
     switch (search.end()) {
         case search_end::steps:
             return "is proved to exist up to " + reached +
@@ -109,7 +109,7 @@ std::string reason_of(const zero_search& search) {
                    "through its initial point was found before";
         case search_end::horizon:
             return "was not found to return to the section through its initial point within " +
-                   std::to_string(search.march().steps()) + " steps, up to time " + reached +
+                   std::to_string(search.steps()) + " steps, up to time " + reached +
                    ": choose an initial point near an orbit of a shorter period";
         case search_end::none:
         case search_end::time:

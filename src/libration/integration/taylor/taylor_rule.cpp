@@ -1,0 +1,241 @@
+#include "taylor_rule.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "../../expansion/set_values.hpp"
+#include "libration/expansion/step_pieces.hpp"
+#include "libration/integration/taylor/taylor_march.hpp"
+
+namespace libration::ode {
+
+namespace {
+
+constexpr long most_series_steps = 10'000'000;
+// The errors added by a step are this number of bits below the set: 2^16 steps add as much as its width.
+constexpr long bits_below_the_set = 20;
+// The bits of the error map that its truncation need not preserve.
+constexpr long bits_below_truncation = 40;
+// log2 of the factor by which the error map shortens a step that justifies more terms.
+constexpr double worth_more_terms = 0.3;
+// The bits of the error map that its largest terms may lose before its precision is increased.
+constexpr double bits_to_lose = 16;
+// log2 of the uncertainty of the error map from which on it is worth shorter steps, of the factor by which it may grow
+// more than the length of the step, and how often that is halved.
+constexpr double significant_uncertainty = -12;
+constexpr double excess_growth = 0.3;
+constexpr int most_halvings_for_width = 5;
+// log2 of the shortest step relative to the time that has passed.
+constexpr long log2_of_least_step = -40;
+
+int first_set_order(const run_bits& bits, const proof_route& route) {
+    return taylor_order(static_cast<int>(bits.error_bits)) - 2 + route.more_terms;
+}
+
+}  // namespace
+
+taylor_rule::taylor_rule(const polynomial_form& of, const run_bits& bits, const proof_route& route,
+                         error_weights weights)
+    : lifted_(of),
+      tape_(tape::about_points(lifted_.system)),
+      varied_tape_(tape::about_points(with_variations(lifted_))),
+      bits_(bits),
+      route_(route),
+      weights_(weights),
+      set_order_(first_set_order(bits, route)),
+      scales_({}),
+      set_bits_(bits.error_bits) {}
+
+void taylor_rule::begin(const flow_state& start) {
+    const precision_scope scope(decimal_digits(bits_.bits));
+    set_order_ = first_set_order(bits_, route_);
+    set_bits_ = bits_.error_bits;
+    scales_ = unknown_scales(start.set.hull());
+    switch (weights_) {
+        case error_weights::relative: break;
+        case error_weights::absolute: scales_.weigh_by_errors(); break;
+        case error_weights::any_width: scales_.accept_any_width(); break;
+    }
+    if (start.derivative) {
+        scales_.weigh_by_scales();
+    }
+    origin_ = start.time;
+    steps_ = 0;
+}
+
+next_step taylor_rule::next(const flow_state& from, const ball& rest) {
+    time_ = from.time;
+    set_ = from.set;
+    scales_.measure_errors(set_.errors);
+    make_expansions();
+    if (!expand_centre()) {
+        return {{}, end_without_bounds()};
+    }
+    scales_.measure_sizes(now_->of_centre, tail_->radius);
+    if (scales_.lost(widest_set)) {
+        return {{}, stop::precision};
+    }
+    scales_.resolve(widest_set);
+    double growth = 0;
+    if (!expand_set()) {
+        return {{}, end_without_bounds()};
+    }
+    const double wanted = wanted_length(growth);
+    // A contracting map may need more bits.
+    const long bits = bits_.error_bits + static_cast<long>(2 * growth - bits_to_lose);
+    if (bits > set_bits_) {
+        set_bits_ = bits + bits_below_the_set;
+        if (!expand_set()) {
+            return {{}, end_without_bounds()};
+        }
+    }
+    const auto series = made_series();
+    // Within both radii, also if that of the variations has become less with more bits.
+    magnitude length =
+        std::min({route_.shortened(power_of_two(wanted)), tail_->radius.shifted(-1), set_tail_->radius.shifted(-1)});
+    if (scales_.accepts_any_width()) {
+        length = shortened_for_width(*series, length);
+    }
+    series->length = length;
+    if (steps_ >= most_series_steps ||
+        length <= magnitude(distance_between(time_, origin_)) * magnitude::of(1, log2_of_least_step)) {
+        return {{}, stop::step_too_small};
+    }
+    ++steps_;
+    const int direction = arb_is_negative(rest.handle()) != 0 ? -1 : 1;
+    return {std::make_shared<series_step>(flow_state{time_, set_, from.derivative, {}}, series,
+                                          length.exact() * direction)};
+}
+
+// No radius was found; a narrow set is not the reason.
+stop taylor_rule::end_without_bounds() const {
+    return scales_.wide(2 * widest_set) ? stop::precision : stop::step_too_small;
+}
+
+void taylor_rule::make_expansions() {
+    const long usual = run_bits::usual_error_bits;
+    const long bits = std::clamp(scales_.accuracy(bits_.bits) + bits_below_the_set, usual, std::max(bits_.bits, usual));
+    if (!now_ || bits > now_->bits || now_->bits > bits + bits / 8 + 16 || now_->of_set.order() != set_order_) {
+        const long some_more = std::min(bits_.bits, bits + bits / 16);
+        const precision_scope scope(decimal_digits(some_more));
+        const int order = taylor_order(static_cast<int>(some_more)) + 2 + route_.more_terms;
+        now_.reset(new expansions{some_more, taylor_expansion<ball>(tape_, order, route_.product),
+                                  taylor_expansion<ball>(varied_tape_, set_order_, route_.product)});
+    }
+}
+
+// The series of the centre, and its remainder.
+bool taylor_rule::expand_centre() {
+    const precision_scope scope(decimal_digits(now_->bits));
+    const auto all = lifted_values(lifted_, time_, set_.centre);
+    if (!all_finite(all)) {
+        return false;
+    }
+    now_->of_centre.about(time_, as_state(all));
+    log_of_radius_ = estimated_radius(now_->of_centre, all.size());
+    if (log_of_radius_ == no_radius && expand_variations()) {
+        log_of_radius_ = radius_of_variations();
+    }
+    tail_ = tail_near(tape_, now_->of_centre, time_, log_of_radius_);
+    return tail_.has_value();
+}
+
+// The series of the set with its variations, in low precision, and their remainders.
+bool taylor_rule::expand_set() {
+    const precision_scope few(decimal_digits(set_bits_));
+    set_.errors = set_.errors.settled(scales_.exponents());
+    if (!expand_variations()) {
+        return false;
+    }
+    const double radius = std::min(log_of_radius_, radius_of_variations());
+    set_tail_ = tail_near(varied_tape_, now_->of_set, time_, radius);
+    return set_tail_.has_value();
+}
+
+bool taylor_rule::expand_variations() {
+    const precision_scope few(decimal_digits(set_bits_));
+    const auto varied = varied_values(lifted_, time_, set_.hull());
+    const bool finite = all_finite(varied);
+    if (finite) {
+        now_->of_set.about(time_, as_state(varied));
+    }
+    return finite;
+}
+
+// At an equilibrium only the variations have a finite radius.
+double taylor_rule::radius_of_variations() const {
+    return estimated_radius(now_->of_set, varied_tape_.orders().size());
+}
+
+std::shared_ptr<taylor_series> taylor_rule::made_series() const {
+    auto series = std::make_shared<taylor_series>();
+    series->places = {lifted_.given, lifted_.leaves.size()};
+    for (std::size_t i = 0; i < lifted_.given; ++i) {
+        series->centre.push_back(now_->of_centre.series_of(static_cast<int>(i)));
+        auto& row = series->variations.emplace_back();
+        for (std::size_t j = 0; j < lifted_.given; ++j) {
+            row.push_back(now_->of_set.series_of(static_cast<int>(series->places.of(i, j))));
+        }
+    }
+    series->tail = *tail_;
+    series->set_tail = *set_tail_;
+    series->bits = now_->bits;
+    series->set_bits = set_bits_;
+    series->errors = set_.errors;
+    return series;
+}
+
+// log2 of the longest step with a tail below the last bits of each unknown and small in the error map; any length is
+// valid. `growth` is that of the terms of the map.
+double taylor_rule::wanted_length(double& growth) {
+    const variation_places places{lifted_.given, lifted_.leaves.size()};
+    const auto wanted = static_cast<double>(bits_below_truncation - bits_.error_bits);
+    const double of_centre = scales_.longest(*tail_, now_->bits, bits_below_the_set);
+    const double at_first = std::min(of_centre, longest_for_map(*set_tail_, scales_, places, wanted));
+    growth = growth_of_terms(now_->of_set, scales_, places, at_first);
+    const double of_set = longest_for_map(*set_tail_, scales_, places, wanted - growth);
+    // If the flow contracts much faster than the solution moves, the error map needs more terms and bits.
+    if (of_set + worth_more_terms < of_centre) {
+        set_order_ = std::min(set_order_ + set_order_ / 4, now_->of_centre.order());
+    }
+    return std::min(at_first, of_set);
+}
+
+// The derivative over a wide set is enclosed the less sharply the longer the step is: until its uncertainty grows about
+// as the length.
+magnitude taylor_rule::shortened_for_width(const taylor_series& series, magnitude length) const {
+    const auto uncertainty = [&](const magnitude& at) {
+        const ball_matrix map = series.derivative_of_flow(at.exact());
+        double most = nothing;
+        for (std::size_t i = 0; i < map.size(); ++i) {
+            for (std::size_t j = 0; j < map.size(); ++j) {
+                const double scale = scales_[j].scale - scales_[i].scale;
+                most = std::max(most, log_of(magnitude::radius_of(map[i][j])) + scale);
+            }
+        }
+        return most;
+    };
+    double now = uncertainty(length);
+    for (int halving = 0; halving < most_halvings_for_width && now > significant_uncertainty; ++halving) {
+        const magnitude half = length.shifted(-1);
+        const double then = uncertainty(half);
+        if (now - then < 1 + excess_growth) {
+            break;
+        }
+        length = half;
+        now = then;
+    }
+    return length;
+}
+
+bool taylor_rule::loses_an_unknown(const std::vector<ball>& hull) const {
+    std::vector<ball> centre;
+    std::vector<magnitude> reach;
+    for (const ball& each : hull) {
+        centre.push_back(midpoint_alone(each));
+        reach.push_back(magnitude::radius_of(each));
+    }
+    return scales_.may_be_lost(centre, reach, widest_set);
+}
+
+}  // namespace libration::ode
