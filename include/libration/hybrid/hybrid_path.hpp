@@ -48,6 +48,7 @@ struct path_piece {
     std::unique_ptr<integration> along = {};      ///< the steps from that state
     step_values steps;                            ///< the values of the step functions
     std::optional<std::vector<ball>> state = {};  ///< at the point; std::nullopt for the exact initial values
+    std::optional<state_set> set = {};            ///< the same less wide, if it is known
     std::optional<ball> begins = {};              ///< the time of the event at which it begins, unless that is exact
     std::vector<ball> on_the_way = {};            ///< the states at the times of that ball, after the event
 };
@@ -64,7 +65,8 @@ struct followed_mode {
 /// and A the states after the event. Z contains A + [-w, w] f(Z) for the right-hand side f of the next branch and w = the
 /// diameter of T; so the solution of that branch through each state of A at t* exists at all times of T and is in Z
 /// there, by Picard's theorem. At the lower end c of T it is in A + (c - T) f(Z): the next branch is integrated from this
-/// set at the exact time c, and it is the solution from t* on. Known times are exact, and c is the time itself.
+/// set at the exact time c, and it is the solution from t* on. Known times are exact, and c is the time itself. What is
+/// known of the solution as a set, and not as a box, continues in the next branch (crossing_set.hpp).
 ///
 /// At the beginning of each branch mode_after (initial_mode.hpp) decides the values of all step functions, or the path
 /// ends.
@@ -134,6 +136,7 @@ private:
     explicit_system branch_after(const entered_branch& entered, const step_values& values) const;
     bool add_saltation(entered_branch& entered, const step_values& values);
     bool enter(const entered_branch& entered, const step_values& values, const branch_beginning& beginning);
+    std::optional<state_set> set_behind_event(const entered_branch& entered, const path_piece& next);
     std::optional<std::vector<ball>> state_before(const number& time);
     static int before_or_after(const number& time, const path_event& event);
     bool certainly_before(const number& time) const;

@@ -4,6 +4,7 @@
 
 #include "../equation/needed_bits.hpp"
 #include "branch_search.hpp"
+#include "crossing_set.hpp"
 #include "libration/hybrid/hybrid_path.hpp"
 #include "libration/hybrid/initial_mode.hpp"
 #include "libration/scalar/error.hpp"
@@ -231,6 +232,25 @@ bool hybrid_path::add_saltation(entered_branch& entered, const step_values& valu
     return true;
 }
 
+// The derivatives of the state jump by another rule than it itself.
+std::optional<state_set> hybrid_path::set_behind_event(const entered_branch& entered, const path_piece& next) {
+    if (!system_.variations().empty()) {
+        return std::nullopt;
+    }
+    integration& along = *piece_->along;
+    std::size_t k = along.first();
+    const step* here = along[k];
+    while (here != nullptr && !here->reaches(distance_between(next_->time, here->from().time))) {
+        here = along[++k];
+    }
+    const ball begin = next_->exactly ? next_->time : lower_bound(next_->time);
+    const expression* const g = next_->exactly ? nullptr : &crossed_.front().of.g;
+    return here == nullptr
+               ? std::nullopt
+               : set_after_crossing(*here, {first_order_form(piece_->system), first_order_form(next.system),
+                                            entered.leaves, g, next_->time, begin, entered.state, next.on_the_way});
+}
+
 // From the states after the event at a time of its ball to the branch from the beginning of that ball.
 bool hybrid_path::enter(const entered_branch& entered, const step_values& values, const branch_beginning& beginning) {
     if (!std::ranges::all_of(entered.state, [](const ball& x) { return is_finite(x); })) {
@@ -255,6 +275,7 @@ bool hybrid_path::enter(const entered_branch& entered, const step_values& values
         piece->begins = times;
         piece->on_the_way = *std::move(around);
     }
+    piece->set = set_behind_event(entered, *piece);
     before_last_ = next_->on_the_way;
     reset_last_.clear();
     for (std::size_t k = 0; k < entered.leaves.size(); ++k) {

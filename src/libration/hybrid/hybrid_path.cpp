@@ -78,7 +78,7 @@ std::shared_ptr<step_rule> hybrid_path::rule_of_branch() {
 void hybrid_path::begin_steps() {
     flow_state start = start_of(piece_->system, bits_);
     if (piece_->state) {
-        start.set = box_around(*piece_->state, bits_);
+        start.set = piece_->set ? *piece_->set : box_around(*piece_->state, bits_);
     }
     state_step_ = 0;
     piece_->along =
