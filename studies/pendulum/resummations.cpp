@@ -4,7 +4,7 @@
 
 #include "../shared/sweep_columns.hpp"
 #include "../shared/sweep_plan.hpp"
-#include "libration/digits/growing_precision.hpp"
+#include "libration/digits/precision_loop.hpp"
 #include "libration/pendulum/arc_approximations.hpp"
 
 namespace libration::studies {

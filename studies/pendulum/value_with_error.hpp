@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "libration/digits/growing_precision.hpp"
+#include "libration/digits/precision_loop.hpp"
 #include "libration/scalar/decimal.hpp"
 #include "libration/scalar/enclose.hpp"
 

@@ -10,7 +10,7 @@
 
 #include "attack/judge.hpp"
 #include "attack/solved_problem.hpp"
-#include "libration/digits/proved_value.hpp"
+#include "libration/digits/known_value.hpp"
 #include "libration/equation/explicit_system.hpp"
 #include "libration/equation/text/parse.hpp"
 #include "libration/integration/integrator.hpp"

@@ -627,10 +627,26 @@ FAULTS = [
         ("the errors left behind at a time", "values[i] = widened(values[i], errors.reach(map, i));", ""),
     ),
     *in_file(
-        "src/libration/equation/needed_bits.hpp", ["query/scale_test.cpp", EVENTS],
-        ("a value that contains 0 as 0", "known.decimal = to_proved_decimal(value, digits);",
-         "known.decimal = contains_zero(value) ? std::optional(proved_decimal{\"0\", \"0\"}) : to_proved_decimal(value, digits);"),
-        sources=("src/libration/query/states.cpp", "src/libration/query/proved_events.cpp"),
+        "src/libration/digits/precision_loop.cpp", ["query/scale_test.cpp", EVENTS],
+        ("a value that contains 0 as 0", "kept.decimal = to_proved_decimal(now, digits);",
+         "kept.decimal = contains_zero(now) ? std::optional(proved_decimal{\"0\", \"0\"}) : to_proved_decimal(now, digits);"),
+    ),
+    *in_file(
+        "src/libration/digits/precision_loop.cpp", ["digits/precision_loop_test.cpp"],
+        ("the last demand instead of the largest", "if (bits > next_.bits) {", "if (bits != next_.bits) {"),
+        ("fewer runs for values about 0", "++runs_at_zero_ <", "++runs_at_zero_ + 1 <"),
+        ("every run long", "is_short ? most_runs_at_zero", "false ? most_runs_at_zero"),
+        ("no extrapolation to the whole way", "const double growth =", "const double growth = true ? 1 :"),
+        ("a question without a last precision", "2 * now_.bits <= most ?", "true ?"),
+        ("the last reason instead of the first", "if (!missing_) {", "if (true) {"),
+        ("the bits of error maps forgotten", "next_.error_bits = 2 * now_.error_bits;", ""),
+        ("lacking digits taken for bits", "bits_of_digits(digits_ - proved_digits(now, digits_));",
+         "digits_ - proved_digits(now, digits_);"),
+    ),
+    *in_file(
+        "include/libration/digits/precision_loop.hpp", ["digits/precision_loop_test.cpp"],
+        ("fewer bits of a digit", "digits * 3322 / 1000 + 4", "digits * 3222 / 1000 + 4"),
+        ("a run beyond the last precision", "precision <= last;", "precision <= 2 * last;"),
     ),
     *in_file(
         "include/libration/scalar/ball/decimal.hpp", ["query/scale_test.cpp"],
@@ -800,8 +816,9 @@ FAULTS = [
          "return here.kind() == node_kind::constant;"),
     ),
     *in_file(
-        "src/libration/query/hybrid_trajectory.cpp", ["problem/branches_test.cpp"],
+        "src/libration/query/time_order.hpp", ["problem/branches_test.cpp"],
         ("near times in any order", ": (times[a] - times[b]).sign() < 0;", ": false;"),
+        sources=("src/libration/query/hybrid_trajectory.cpp",),
     ),
     *in_file(
         "src/libration/equation/hybrid_system.cpp", ["problem/branches_test.cpp"],

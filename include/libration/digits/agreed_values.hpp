@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "libration/digits/growing_precision.hpp"
+#include "libration/digits/precision_loop.hpp"
 #include "libration/scalar/complex_number.hpp"
 #include "libration/scalar/mpfr.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "libration/digits/growing_precision.hpp"
+#include "libration/digits/precision_loop.hpp"
 #include "libration/scalar/mpfr.hpp"
 
 namespace libration {

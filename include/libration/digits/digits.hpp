@@ -3,4 +3,4 @@
 
 #include "libration/digits/agreed_values.hpp"
 #include "libration/digits/bounded_value.hpp"
-#include "libration/digits/growing_precision.hpp"
+#include "libration/digits/precision_loop.hpp"

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "libration/digits/growing_precision.hpp"
+#include "libration/digits/precision_loop.hpp"
 #include "libration/scalar/ball/decimal.hpp"
 
 namespace libration {

@@ -5,12 +5,14 @@
 #include <optional>
 #include <vector>
 
-#include "libration/digits/proved_value.hpp"
+#include "libration/digits/known_value.hpp"
 #include "libration/event/zero_search.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/printed_number.hpp"
 
 namespace libration::ode {
+
+using libration::known_value;
 
 /// The first `count` zeros of g that are crossed in one direction, in the open interval after the initial point t0:
 /// (t0, infinity), or (-infinity, t0) for direction < 0. With from_start also t0 itself, as the first one, if g is 0

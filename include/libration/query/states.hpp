@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "libration/digits/proved_value.hpp"
+#include "libration/digits/known_value.hpp"
 #include "libration/equation/explicit_system.hpp"
 #include "libration/integration/proved_march.hpp"
 #include "libration/scalar/ball/ball.hpp"
@@ -12,6 +12,8 @@
 #include "libration/scalar/printed_number.hpp"
 
 namespace libration::ode {
+
+using libration::known_value;
 
 /// The proved part of a solution at a list of times.
 struct partial_trajectory {

@@ -58,7 +58,7 @@ private:
     std::vector<mpfr> slopes_at(const exact& time, long digits);
     std::vector<mpfr> slopes_of(const exact& time, const solution_state<mpfr>& state) const;
     solution_state<mpfr> midpoints_of(const std::vector<ball>& values) const;
-    std::optional<std::vector<moved_value>> moved_at(const exact& at);
+    std::optional<std::vector<moved_value>> moved_at(const exact& time);
 
     explicit_system system_;  // of the components that are compared and those on which they depend
     equation_system equations_;

@@ -36,6 +36,17 @@ bool agreed_complex(const complex_number<mpfr>& before, complex_number<mpfr>& no
     return all;
 }
 
+// The second of two runs that are the same; the first one has first_guard.
+template <class T, class Compute, class Same>
+std::vector<T> values_of_two_runs(long digits, long most, const Compute& compute, const Same& same) {
+    std::vector<T> now = compute(first_guard);
+    return with_growing_precision({digits, second_guard, most}, std::to_string(digits) + " digits",
+                                  [&](const precision_run& run) {
+                                      const std::vector<T> before = std::exchange(now, compute(run.more));
+                                      return same(before, now, run.more) ? std::optional(now) : std::nullopt;
+                                  });
+}
+
 }  // namespace
 
 bool agree(const mpfr& a, const mpfr& b, long digits) {
@@ -63,24 +74,15 @@ std::vector<mpfr> agreed_values(long digits, const std::function<std::vector<mpf
         }
         return all;
     };
-    std::vector<mpfr> before = compute(first_guard);
-    return with_growing_precision({digits, second_guard, most_agreement_digits}, std::to_string(digits) + " digits",
-                                  [&](const precision_run& run) -> std::optional<std::vector<mpfr>> {
-                                      std::vector<mpfr> now = compute(run.more);
-                                      if (same(before, now, run.more)) {
-                                          return now;
-                                      }
-                                      before = std::move(now);
-                                      return std::nullopt;
-                                  });
+    return values_of_two_runs<mpfr>(digits, most_agreement_digits, compute, same);
 }
 
 std::vector<complex_number<mpfr>> agreed_complex_values(
     long digits, const std::function<std::vector<complex_number<mpfr>>(long guard)>& compute,
     const std::function<std::vector<bool>()>& vanishing) {
     const auto zero = vanishing ? vanishing() : std::vector<bool>();
-    auto before = compute(first_guard);
-    const auto same = [&](std::vector<complex_number<mpfr>>& now, long guard) {
+    const auto same = [&](const std::vector<complex_number<mpfr>>& before, std::vector<complex_number<mpfr>>& now,
+                          long guard) {
         bool all = true;
         for (std::size_t i = 0; i < now.size(); ++i) {
             const bool vanishes = i < zero.size() && zero[i];
@@ -93,16 +95,7 @@ std::vector<complex_number<mpfr>> agreed_complex_values(
         }
         return all;
     };
-    return with_growing_precision({digits, second_guard, most_complex_agreement_digits},
-                                  std::to_string(digits) + " digits",
-                                  [&](const precision_run& run) -> std::optional<std::vector<complex_number<mpfr>>> {
-                                      auto now = compute(run.more);
-                                      if (same(now, run.more)) {
-                                          return now;
-                                      }
-                                      before = std::move(now);
-                                      return std::nullopt;
-                                  });
+    return values_of_two_runs<complex_number<mpfr>>(digits, most_complex_agreement_digits, compute, same);
 }
 
 }  // namespace libration

@@ -1,7 +1,11 @@
 #include "libration/function/ball_values.hpp"
 
+#include <algorithm>
 #include <array>
+#include <optional>
+#include <utility>
 
+#include "libration/digits/precision_loop.hpp"
 #include "libration/function/ball_functions.hpp"
 #include "libration/function/list.hpp"
 #include "libration/scalar/ball/ball.hpp"
@@ -46,14 +50,17 @@ range flint_bounds(function_kind f, const rational* order, const number_bounds& 
 
 std::array<mpfr, 2> flint_value(function_kind f, const rational* order, const std::array<mpfr, 2>& z, long bits) {
     constexpr long most_bits = 1L << 17U;
-    for (long at = bits + 32; at <= std::max(most_bits, 8 * bits); at *= 2) {
+    using parts = std::array<mpfr, 2>;
+    auto found = with_doubled_bits(bits + 32, std::max(most_bits, 8 * bits), [&](long at) {
         const precision_scope scope(decimal_digits(at));
         const complex_number<ball> value = ball_value(f, order, complex_number<ball>(ball(z[0]), ball(z[1])));
-        if (relative_bits(value) >= bits + 2) {
-            return {midpoint_of(value.re), midpoint_of(value.im)};
-        }
+        const bool is_narrow = relative_bits(value) >= bits + 2;
+        return is_narrow ? std::optional(parts{midpoint_of(value.re), midpoint_of(value.im)}) : std::nullopt;
+    });
+    if (!found) {
+        refuse_number("takes " + std::string(name_of(f)) + " at a point where FLINT computes no value");
     }
-    refuse_number("takes " + std::string(name_of(f)) + " at a point where FLINT computes no value");
+    return *std::move(found);
 }
 
 }  // namespace

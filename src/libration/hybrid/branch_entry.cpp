@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "../equation/needed_bits.hpp"
+#include "../equation/bound_text.hpp"
 #include "branch_search.hpp"
 #include "crossing_set.hpp"
 #include "libration/hybrid/hybrid_path.hpp"

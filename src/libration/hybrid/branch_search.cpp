@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "../equation/needed_bits.hpp"
+#include "../equation/bound_text.hpp"
 #include "libration/scalar/error.hpp"
 
 namespace libration::ode {
@@ -106,16 +106,16 @@ void branch_search::read_end(watched& each, bool has_end, long horizon) {
             each.limit = search.undecided().from;
             each.why = path_end::undecided;
             if (!search.undecided().value.is_finite() || !search.undecided().slope.is_finite()) {
-                each.reason = "`" + each.of.of.text + "` is not enclosed in [" +
-                              bound_text(search.undecided().from, MPFR_RNDD) + ", " +
-                              bound_text(search.undecided().to, MPFR_RNDU) + "], as where it has no value";
+                each.reason = "`" + each.of.of.text + "` is not enclosed in " +
+                              interval_text(search.undecided().from, search.undecided().to) +
+                              ", as where it has no value";
                 break;
             }
             each.reason = "`" + each.of.of.text + "` is not decided by " + std::to_string(bits_) +
-                          " bits: its two sides may be equal in [" + bound_text(search.undecided().from, MPFR_RNDD) +
-                          ", " + bound_text(search.undecided().to, MPFR_RNDU) + "], where they differ by at most " +
-                          upper_bound_text(search.undecided().value.exact()) + " and their derivatives by at most " +
-                          upper_bound_text(search.undecided().slope.exact()) +
+                          " bits: its two sides may be equal in " +
+                          interval_text(search.undecided().from, search.undecided().to) +
+                          ", where they differ by at most " + upper_bound_text(search.undecided().value.exact()) +
+                          " and their derivatives by at most " + upper_bound_text(search.undecided().slope.exact()) +
                           ", as where a solution touches the surface without crossing it";
             break;
     }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "../equation/bound_text.hpp"
 #include "../equation/condition_system.hpp"
-#include "../equation/needed_bits.hpp"
 #include "branch_search.hpp"
 #include "libration/hybrid/initial_mode.hpp"
 #include "libration/scalar/error.hpp"

@@ -2,17 +2,16 @@
 #pragma once
 
 #include <algorithm>
-#include <optional>
 #include <string>
 
-#include "../equation/needed_bits.hpp"
+#include "libration/digits/precision_loop.hpp"
 #include "libration/hybrid/hybrid_path.hpp"
-#include "libration/scalar/error.hpp"
+#include "libration/scalar/decimal.hpp"
 
 namespace libration::ode {
 
 // A path that so many bits do not decide ends.
-inline long most_bits_of_undecided(const needed_bits& first) { return std::max(1024L, 8 * first.now()); }
+inline long most_bits_of_path(long digits) { return std::max(1024L, 8 * bits_of_first_run(digits)); }
 
 // "after 3 events, the last one at time 1.5".
 inline std::string events_text(const hybrid_path& path) {
@@ -26,33 +25,20 @@ inline std::string events_text(const hybrid_path& path) {
     return count + to_decimal(midpoint_of(path.last_event()), 12);
 }
 
-// Why more bits do not help at the end of a path; std::nullopt if they may.
-inline std::optional<std::string> reason_of_end(const hybrid_path& path, long most_undecided) {
+// What the end of a path needs: more bits, if they may help.
+inline void demand_of_path(run_demand& demand, const hybrid_path& path, long digits, const std::string& of) {
+    const auto reason = [&] { return "is not reached: " + events_text(path) + ", " + path.reason(); };
     switch (path.end()) {
         case path_end::none:
-        case path_end::precision: return std::nullopt;
-        case path_end::undecided:
-            if (2 * path.bits() <= most_undecided) {
-                return std::nullopt;
-            }
-            break;
+        case path_end::precision: demand.twice_the_bits(of); break;
+        case path_end::undecided: demand.undecided(of, reason(), most_bits_of_path(digits)); break;
         case path_end::time:
         case path_end::horizon:
         case path_end::stop:
         case path_end::steps:
         case path_end::sliding:
-        case path_end::accumulation: break;
+        case path_end::accumulation: demand.ended(of, reason()); break;
     }
-    return "is not reached: " + events_text(path) + ", " + path.reason();
-}
-
-// The bits of the next run of a path that ended; throws if more bits do not help.
-inline void raise_path_bits(needed_bits& bits, const hybrid_path& path, long most_undecided, const std::string& subject,
-                            const std::string& value) {
-    if (const auto reason = reason_of_end(path, most_undecided)) {
-        throw error(error_kind::undecided, subject, value, *reason);
-    }
-    bits.raise_to(2 * bits.now(), subject, value);
 }
 
 }  // namespace libration::ode

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "libration/digits/growing_precision.hpp"
+#include "libration/digits/precision_loop.hpp"
 
 namespace libration::pendulum {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <utility>
 
-#include "../equation/needed_bits.hpp"
 #include "../expansion/set_values.hpp"
 #include "disc_path.hpp"
+#include "libration/digits/precision_loop.hpp"
 #include "libration/equation/dependency.hpp"
 #include "libration/equation/first_order_form.hpp"
 #include "libration/integration/closed_form/constant_solution.hpp"
@@ -58,13 +58,12 @@ int proved_pole_order(const explicit_system& system, const found_singularity& fo
     if (!regular || found.kind != singularity_kind::pole) {
         return 0;
     }
-    for (int attempt = 0; attempt < most_pole_attempts; ++attempt) {
-        if (is_pole_near(system, corners, exact_ball(found.offset), reach, bits, route)) {
-            return regular->order();
-        }
-        bits += bits / 2;
-    }
-    return 0;
+    const auto order = with_half_more_bits(bits, most_pole_attempts, [&](long now) {
+        return is_pole_near(system, corners, exact_ball(found.offset), reach, now, route)
+                   ? std::optional(regular->order())
+                   : std::nullopt;
+    });
+    return order.value_or(0);
 }
 
 constexpr const char* subject_of_refusals = "problem";
@@ -118,8 +117,8 @@ std::optional<proved_singularity> shown_along(const proving_ground& ground, cons
     const mpfr size = modulus_of(found.offset);
     const long digits = -static_cast<long>(floor(log10(mpfr(reach / size))));
     const complex_ball centre = exact_ball(found.offset);
-    long bits = bits_of_digits(std::max(digits, 1L) + 4) + loop_guard_bits;
-    for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    const long first = bits_of_digits(std::max(digits, 1L) + 4) + loop_guard_bits;
+    return with_half_more_bits(first, most_attempts, [&](long bits) -> std::optional<proved_singularity> {
         try {
             const complex_flow flow(system, bits, route);
             loop_result loop = loop_about(flow, corners, centre, magnitude_of(reach), weights_for(found), ground.of);
@@ -131,9 +130,8 @@ std::optional<proved_singularity> shown_along(const proving_ground& ground, cons
         } catch (const precision_exhausted&) {
             // the next attempt has more bits
         }
-        bits = bits + bits / 2;
-    }
-    return std::nullopt;
+        return std::nullopt;
+    });
 }
 
 std::string shown_place(const found_singularity& found) {
@@ -298,12 +296,11 @@ covering covered_with_bits(const explicit_system& system, const ball& rho, long 
     limits.finest_bits = bits_of_digits(digits) + 8;
     limits.most_discs = most_discs_a_digit * (digits + 10);
     covering found;
-    long bits = bits_of_digits(digits) + loop_guard_bits;
-    for (int attempt = 0; attempt < most_coverings && !found.complete; ++attempt) {
+    with_half_more_bits(bits_of_digits(digits) + loop_guard_bits, most_coverings, [&](long bits) {
         const complex_flow flow(system, bits, route);
         found = covered_disc(flow, rho, symmetry_of(system), limits);
-        bits += bits / 2;
-    }
+        return found.complete ? std::optional(true) : std::nullopt;
+    });
     return found;
 }
 

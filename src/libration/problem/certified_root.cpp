@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "certificate_text.hpp"
+#include "libration/digits/precision_loop.hpp"
 #include "libration/equation/first_order_form.hpp"
 #include "libration/integration/proved_march.hpp"
 #include "libration/query/krawczyk.hpp"
@@ -15,7 +16,7 @@ namespace libration {
 
 namespace {
 
-constexpr long guard_bits = 64;
+constexpr long guard_bits = 60;
 constexpr int most_corrections = 12;
 constexpr int most_boxes = 12;
 // The first precision of the derivatives, of which a few digits are sufficient.
@@ -149,7 +150,7 @@ private:
 
     // Newton's method to a middle that is near enough to the root, and C, near the inverse of F' there.
     void find_middle() {
-        long bits = digits_ * 3322 / 1000 + guard_bits;
+        long bits = bits_of_digits(digits_) + guard_bits;
         for (int i = 0; i < most_corrections; ++i, bits += bits / 4) {
             at_middle_ = values_at_middle_with(bits);
             const precision_scope scope(decimal_digits(bits));
@@ -211,7 +212,7 @@ private:
     // of a smaller box has to be nearer to the root.
     void choose_box() {
         for (int i = 0; i < most_boxes; ++i) {
-            const long bits = 2 * ode::proved_march::usual_error_bits + digits_ * 3322 / 1000;
+            const long bits = bits_of_digits(digits_) + guard_bits + ode::proved_march::usual_error_bits;
             const precision_scope scope(decimal_digits(bits));
             std::vector<ball> unknowns;
             std::ranges::transform(box_, std::back_inserter(unknowns), hull_of);
@@ -293,7 +294,7 @@ private:
 
     // Intervals of the states that are so narrow that their slopes, the derivatives by the time, are known as well.
     std::vector<ode::claimed_value> states_near_end() const {
-        const precision_scope scope(decimal_digits(digits_ * 3322 / 1000 + guard_bits));
+        const precision_scope scope(decimal_digits(bits_of_digits(digits_) + guard_bits));
         const ode::first_order_form form(system_);
         rational width = first_width;
         for (int i = 0; i < most_widths; ++i, width *= next_width) {

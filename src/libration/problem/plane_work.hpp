@@ -31,18 +31,4 @@ private:
     long discs_ = 0;
 };
 
-/// The error of the kind undecided that ends a work, such as a second proof, after what is finished.
-template <class Work>
-std::optional<error> undecided_in(const Work& work) {
-    try {
-        work();
-        return std::nullopt;
-    } catch (const error& reason) {
-        if (reason.kind() != error_kind::undecided) {
-            throw;
-        }
-        return reason;
-    }
-}
-
 }  // namespace libration

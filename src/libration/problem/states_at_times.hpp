@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <string>
@@ -20,7 +21,7 @@
 
 namespace libration {
 
-/// The distance that has been integrated from a point, as a part of that to the last time.
+/// The distance that has been integrated from a point, as a part of that to the farthest time.
 inline ode::march_watch watch_of(const ode::number& point, const std::vector<ode::number>& times, const request& how) {
     if (!how.progress && !how.reached) {
         return {};
@@ -29,7 +30,7 @@ inline ode::march_watch watch_of(const ode::number& point, const std::vector<ode
     const auto origin = ode::constant_value<mpfr>::of(point).convert_to<double>();
     double whole = 0;
     for (const ode::number& each : times) {
-        whole = std::max(whole, ode::constant_value<mpfr>::of(each).convert_to<double>() - origin);
+        whole = std::max(whole, std::abs(ode::constant_value<mpfr>::of(each).convert_to<double>() - origin));
     }
     return [&how, origin, whole](const ball& reached, long bits) {
         const auto time = midpoint_of(reached).convert_to<double>();
@@ -37,7 +38,7 @@ inline ode::march_watch watch_of(const ode::number& point, const std::vector<ode
             how.reached(time, bits);
         }
         if (how.progress && whole > 0) {
-            how.progress(std::clamp((time - origin) / whole, 0.0, 1.0));
+            how.progress(std::clamp(std::abs(time - origin) / whole, 0.0, 1.0));
         }
     };
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "libration/digits/precision_loop.hpp"
 #include "libration/equation/first_order_form.hpp"
 #include "libration/number/two_proofs.hpp"
 #include "libration/plane/proved_singularity.hpp"

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <stdexcept>
 
+#include "libration/digits/precision_loop.hpp"
 #include "libration/equation/constant_value.hpp"
 #include "libration/equation/first_order_form.hpp"
 #include "libration/number/two_proofs.hpp"

@@ -34,36 +34,6 @@ std::vector<ode::number> numbers_of(const std::vector<exact>& times) {
     return at;
 }
 
-// The part of the interval from the initial point to the farthest time that has been integrated.
-class part_of_way {
-public:
-    part_of_way(const ode::explicit_system& system, const std::vector<ode::number>& times, const request& how)
-        : progress_(how.progress), reached_(how.reached) {
-        const precision_scope few(digits_beyond_result);
-        origin_ = ode::constant_value<mpfr>::of(system.point());
-        for (const ode::number& each : times) {
-            whole_ = std::max(whole_, mpfr(abs(ode::constant_value<mpfr>::of(each) - origin_)));
-        }
-    }
-
-    void operator()(const ball& reached, long bits) const {
-        if (reached_) {
-            reached_(midpoint_of(reached).convert_to<double>(), bits);
-        }
-        if (progress_ && whole_ > 0) {
-            const precision_scope few(digits_beyond_result);
-            const mpfr part = abs(midpoint_of(reached) - origin_) / whole_;
-            progress_(std::clamp(part.convert_to<double>(), 0.0, 1.0));
-        }
-    }
-
-private:
-    const std::function<void(double)>& progress_;
-    const std::function<void(double, long)>& reached_;
-    mpfr origin_;
-    mpfr whole_ = mpfr(0);
-};
-
 // In the arithmetic in which they are printed.
 template <class T>
 ode::partial_states<mpfr> in_wide_numbers(ode::partial_states<T> part) {
@@ -163,12 +133,10 @@ void taylor_solution::require_second_proof(const std::vector<exact>& times, cons
 
 answer taylor_solution::proved_states(const std::vector<exact>& times, const request& how) const {
     const auto checked = checked_products(how.check);
-    const part_of_way part(system_, numbers_of(times), how);
     ode::proof_route route;
     route.integrator = how.integrator;
-    const auto found = proved_part(
-        times, how, how.printed_digits(), [&](const ball& reached, long bits) { part(reached, bits); }, route,
-        how.observer);
+    const auto found = proved_part(times, how, how.printed_digits(), watch_of(system_.point(), numbers_of(times), how),
+                                   route, how.observer);
     if (how.check) {
         require_second_proof(times, how, found);
     }

@@ -88,7 +88,7 @@ public:
                           {[this](proved_march& march, std::size_t time, const std::vector<ball>& /*state*/) {
                                return proved(march, time);
                            },
-                           flow_.own(), bits_of_digits(digits_) + first_guard_bits},
+                           flow_.own(), bits_of_first_run(digits_)},
                           route, observer);
         result_.trajectory = runs.part();
         miss_undecided();

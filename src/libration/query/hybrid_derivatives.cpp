@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "../equation/needed_bits.hpp"
 #include "../expansion/differentiated_numbers.hpp"
 #include "../hybrid/saltation.hpp"
 #include "libration/hybrid/initial_mode.hpp"
@@ -87,8 +86,7 @@ partial_derivatives proved_derivatives_of_hybrid(const equation_system& given, c
     require_same_side(varied, numbers);
     auto all = proved_part_of_hybrid(varied.system, times, digits, watch, route);
     keep_reached(all, hybrid_system(given), times);
-    known_value zero;
-    improve(zero, ball(0), digits);
+    const known_value zero{proved_decimal{"0", "0"}, ""};
     partial_derivatives result;
     result.by.resize(times.size());
     for (std::size_t i = 0; i < times.size(); ++i) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "../equation/needed_bits.hpp"
+#include "libration/digits/precision_loop.hpp"
 #include "libration/integration/lohner_set.hpp"
 #include "libration/scalar/ball/decimal.hpp"
 #include "libration/scalar/ball/functions.hpp"
@@ -86,7 +86,7 @@ class root_search {
 public:
     root_search(const map_of_unknowns& f, const std::vector<number>& guess, long digits,
                 const std::vector<std::string>& names, zero_values zeros)
-        : f_(f), digits_(digits), names_(names), zeros_(zeros), bits_(digits) {
+        : f_(f), digits_(digits), names_(names), zeros_(zeros) {
         const precision_scope scope(decimal_digits(first_root_bits));
         for (const number& each : guess) {
             x_.push_back(exact_midpoint(constant_value<ball>::of(each)));
@@ -94,25 +94,29 @@ public:
     }
 
     std::vector<known_value> result() {
-        long bits = first_root_bits;
-        settle(bits);
+        long reached = first_root_bits;
+        settle(reached);
+        int proofs = 0;
         int failed = 0;
-        for (int proof = 0; proof < most_proofs; ++proof) {
-            while (bits < bits_.now()) {
-                bits = std::min(bits * 2, bits_.now());
-                improve(bits);
-            }
-            if (auto decimals = proved(bits)) {
-                return *std::move(decimals);
-            }
-            if (bits_.now() <= bits) {
-                if (++failed >= most_failed_proofs) {
-                    break;
+        std::vector<known_value> values;
+        const auto missing = prove_digits(
+            digits_, "solution",
+            [&](const run_bits& run, run_demand& demand) {
+                while (reached < run.bits) {
+                    reached = std::min(reached * 2, run.bits);
+                    improve(reached);
                 }
-                bits_.raise_to(bits + bits / 2, "solution", "");
-            }
+                const auto root = proved(run.bits);
+                if (++proofs > most_proofs || (!root && ++failed >= most_failed_proofs)) {
+                    refuse_root("is not proved at any precision, as if it were not isolated", "change a condition");
+                }
+                root ? print(*root, values, demand) : demand.more_bits(run.bits + run.bits / 2, "");
+            },
+            {.bits = std::max(first_root_bits, bits_of_first_run(digits_))});
+        if (missing) {
+            throw error(*missing);
         }
-        refuse_root("is not proved at any precision, as if it were not isolated", "change a condition");
+        return values;
     }
 
 private:
@@ -177,8 +181,8 @@ private:
         return longest;
     }
 
-    // Krawczyk's test, and the digits of the proved solution.
-    std::optional<std::vector<known_value>> proved(long bits) {
+    // The proved solution, by Krawczyk's test.
+    std::optional<std::vector<ball>> proved(long bits) {
         const precision_scope scope(decimal_digits(bits));
         const enclosed_map here = at(x_, bits, proved_march::usual_error_bits);
         const auto inverse = inverse_near(here.derivative);
@@ -192,8 +196,8 @@ private:
             radii.push_back(magnitude(each) * magnitude(2U) + magnitude::of(1, -2 * bits));
         }
         for (int box = 0; box < most_boxes; ++box) {
-            if (const auto root = krawczyk(*inverse, step, radii)) {
-                return printed(*root);
+            if (auto root = krawczyk(*inverse, step, radii)) {
+                return root;
             }
             for (magnitude& each : radii) {
                 each *= magnitude(16U);
@@ -228,21 +232,16 @@ private:
         return root;
     }
 
-    std::optional<std::vector<known_value>> printed(const std::vector<ball>& root) {
-        std::vector<known_value> values;
-        for (const ball& each : root) {
-            if (zeros_ == zero_values::bounded && contains_zero(each) && !is_exact(each) &&
-                certainly_less(abs(each), pow(ball(10), -digits_))) {
-                values.push_back({std::nullopt, bound_text(each)});
-                continue;
+    void print(const std::vector<ball>& root, std::vector<known_value>& values, run_demand& demand) const {
+        values.assign(root.size(), {});
+        for (std::size_t i = 0; i < root.size(); ++i) {
+            if (zeros_ == zero_values::bounded && contains_zero(root[i]) && !is_exact(root[i]) &&
+                certainly_less(abs(root[i]), pow(ball(10), -digits_))) {
+                values[i].bound = bound_text(root[i]);
+            } else {
+                demand.improve(values[i], root[i], "", "");
             }
-            auto decimal = bits_.printed(each, "solution", "");
-            if (!decimal) {
-                return std::nullopt;
-            }
-            values.push_back({*std::move(decimal), ""});
         }
-        return values;
     }
 
     const map_of_unknowns& f_;
@@ -251,7 +250,6 @@ private:
     zero_values zeros_;
     std::vector<ball> residual_;  // of the last iterate; empty if it has none
     std::vector<ball> x_;
-    needed_bits bits_;
 };
 
 }  // namespace

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <string>
 
-#include "../equation/needed_bits.hpp"
+#include "../equation/bound_text.hpp"
 #include "../expansion/set_values.hpp"
 #include "../manifold/algebraic_decay.hpp"
 #include "../manifold/stable_equilibrium.hpp"
+#include "libration/digits/precision_loop.hpp"
 #include "libration/equation/dependency.hpp"
 #include "libration/integration/closed_form/constant_solution.hpp"
 
@@ -20,8 +21,6 @@ constexpr long most_steps_to_limit = 20'000;
 constexpr long first_bits_of_states = 128;
 // Solutions that approach an equilibrium do not lose bits for long.
 constexpr long most_bits_of_states = 256;
-// The bits of the zero are doubled so many times for a value that is not distinguished from 0.
-constexpr int most_runs_at_zero = 3;
 
 error no_limit(const std::string& what) { return {error_kind::undecided, "time", "inf", what}; }
 
@@ -31,14 +30,6 @@ void require_precision_alone(const proved_march& march) {
         throw no_limit("is not reached: the solution is proved to exist up to " +
                        proved_reach_text(march.reached(), true) + ", and no further step is proved");
     }
-}
-
-std::vector<known_value> known_values_of(const std::vector<ball>& values, long digits) {
-    std::vector<known_value> result;
-    for (const ball& each : values) {
-        improve(result.emplace_back(), each, digits);
-    }
-    return result;
 }
 
 class limit_search {
@@ -51,12 +42,12 @@ public:
     }
 
     std::vector<known_value> values() {
-        for (long bits = first_bits_of_states; bits <= most_bits_of_states; bits *= 2) {
-            if (auto found = along_the_solution(bits)) {
-                return *found;
-            }
+        auto found = with_doubled_bits(first_bits_of_states, most_bits_of_states,
+                                       [this](long bits) { return along_the_solution(bits); });
+        if (!found) {
+            throw no_limit(not_approached(std::to_string(most_bits_of_states) + " bits are too few beyond it"));
         }
-        throw no_limit(not_approached(std::to_string(most_bits_of_states) + " bits are too few beyond it"));
+        return *std::move(found);
     }
 
 private:
@@ -85,21 +76,17 @@ private:
     }
 
     std::optional<std::vector<known_value>> limit_from(const std::vector<ball>& state) const {
-        std::optional<std::vector<known_value>> best;
-        long bits = bits_of_digits(digits_) + first_guard_bits;
-        for (int k = 0; k < most_runs_at_zero; ++k, bits *= 2) {
-            const precision_scope scope(decimal_digits(bits));
+        std::vector<known_value> best;
+        prove_digits(digits_, "time", [&](const run_bits& run, run_demand& demand) {
+            const precision_scope scope(decimal_digits(run.bits));
             const auto kept = field_.kept_of(state);
             const auto zero = enclosed_zero(field_, kept);
-            if (!zero || !is_approached(field_, *zero, kept)) {
-                return best;
+            if (zero && is_approached(field_, *zero, kept)) {
+                demand.improve(best, state_at_zero(field_, *zero), "inf", names_of_state(system_));
+                demand.cost(most_steps_to_limit);
             }
-            best = known_values_of(state_at_zero(field_, *zero), digits_);
-            if (all_have_digits(*best)) {
-                return best;
-            }
-        }
-        return best;
+        });
+        return best.empty() ? std::nullopt : std::optional(best);
     }
 
     std::string not_approached(const std::string& reason) const {
@@ -118,7 +105,11 @@ private:
 
 // Of a constant solution.
 std::vector<known_value> values_at_start(const explicit_system& system, long digits) {
-    return known_values_of(enclosed_start(system, bits_of_digits(digits) + first_guard_bits), digits);
+    std::vector<known_value> values;
+    for (const ball& each : enclosed_start(system, bits_of_first_run(digits))) {
+        improve(values.emplace_back(), each, digits);
+    }
+    return values;
 }
 
 }  // namespace

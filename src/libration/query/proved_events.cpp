@@ -12,91 +12,55 @@ namespace libration::ode {
 
 namespace {
 
-class event_runs {
-public:
-    event_runs(const explicit_system& system, const event_request& request, long digits, const proof_route& route,
-               const event_watch& watch)
-        : system_(system),
-          request_(request),
-          route_(route),
-          watch_(watch),
-          given_(given_values(system, request.g)),
-          list_(names_of_state(system), request.count, digits, most_bits_of_event(digits)) {}
-
-    event_report result() {
-        event_report report = list_.of_runs([this] { return steps_of_run(); });
-        report.collocation = std::move(collocation_);
-        return report;
+// The state of an event of a system that has the condition as an unknown.
+std::vector<ball> state_of(const proved_event& event, const std::optional<condition_system>& with) {
+    if (!with) {
+        return event.state;
     }
-
-private:
-    // One run, and the number of its steps.
-    long steps_of_run() {
-        const precision_scope scope(decimal_digits(list_.bits()) + 10);
-        zero_search search(as_unknown_ ? as_unknown_->system : system_,
-                           as_unknown_ ? as_unknown_->condition : request_.g, list_.bits(), request_.direction, route_,
-                           [&](const ball& reached, long bits) { tell(reached, bits); });
-        const auto note_collocation = [&] {
-            const collocation_use& used = search.collocation();
-            collocation_.assign(used.steps > 0 ? 1 : 0, used);
-        };
-        find_events(
-            list_, search, request_,
-            [&](const proved_event& event) {
-                note_collocation();
-                list_.add(event.time, with_given_values(state_of(event), given_));
-                tell(search.reached(), list_.bits());
-            },
-            [&] {
-                note_collocation();
-                continue_beyond(search);
-            });
-        return search.steps();
+    std::vector<ball> state;
+    for (const std::size_t place : with->places) {
+        state.push_back(event.state[place]);
     }
-
-    void tell(const ball& reached, long bits) const {
-        if (watch_) {
-            watch_(reached, bits, list_.known());
-        }
-    }
-
-    std::vector<ball> state_of(const proved_event& event) const {
-        if (!as_unknown_) {
-            return event.state;
-        }
-        std::vector<ball> state;
-        for (const std::size_t place : as_unknown_->places) {
-            state.push_back(event.state[place]);
-        }
-        return state;
-    }
-
-    // If g itself is too wide on sets of times, the next run has it as an unknown.
-    void continue_beyond(const zero_search& search) {
-        if (search.end() == search_end::undecided && search.undecided().too_many_pieces && !as_unknown_ &&
-            !system_.singular()) {
-            as_unknown_ = with_condition(system_, request_.g);
-            list_.repeat_with_same_bits();
-        } else {
-            list_.continue_beyond(search, system_.point(), request_.direction);
-        }
-    }
-
-    const explicit_system& system_;
-    const event_request& request_;
-    const proof_route& route_;
-    const event_watch& watch_;
-    std::optional<condition_system> as_unknown_;  // if g itself is too wide on sets of times
-    std::vector<std::optional<number>> given_;
-    std::vector<collocation_use> collocation_;
-    event_list list_;
-};
+    return state;
+}
 
 }  // namespace
 
 event_report searched_events(const explicit_system& system, const event_request& request, long digits,
                              const proof_route& route, const event_watch& watch) {
-    return event_runs(system, request, digits, route, watch).result();
+    const auto given = given_values(system, request.g);
+    std::optional<condition_system> as_unknown;  // if g itself is too wide on sets of times
+    std::vector<collocation_use> collocation;
+    event_list list(names_of_state(system), request.count, digits, most_bits_of_event(digits), watch);
+    event_report report = list.of_runs([&](long bits, run_demand& demand) {
+        const precision_scope scope(decimal_digits(bits) + 10);
+        zero_search search(as_unknown ? as_unknown->system : system, as_unknown ? as_unknown->condition : request.g,
+                           bits, request.direction, route,
+                           [&](const ball& reached, long now) { list.tell(reached, now); });
+        const auto note_collocation = [&] {
+            const collocation_use& used = search.collocation();
+            collocation.assign(used.steps > 0 ? 1 : 0, used);
+        };
+        const auto add = [&](const proved_event& event) {
+            note_collocation();
+            list.add(event.time, with_given_values(state_of(event, as_unknown), given));
+            list.tell(search.reached(), bits);
+        };
+        const auto beyond = [&] {
+            note_collocation();
+            if (search.end() == search_end::undecided && search.undecided().too_many_pieces && !as_unknown &&
+                !system.singular()) {
+                as_unknown = with_condition(system, request.g);
+                demand.again();
+            } else {
+                list.continue_beyond(search, system.point(), request.direction);
+            }
+        };
+        find_events(list, search, request, add, beyond);
+        demand.cost(search.steps());
+    });
+    report.collocation = std::move(collocation);
+    return report;
 }
 
 std::vector<printed_event> proved_events(const explicit_system& system, const event_request& request, long digits,

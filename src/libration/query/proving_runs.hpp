@@ -11,17 +11,16 @@
 #include <utility>
 #include <vector>
 
-#include "../equation/needed_bits.hpp"
 #include "../expansion/set_values.hpp"
+#include "libration/digits/precision_loop.hpp"
 #include "libration/integration/closed_form/constant_solution.hpp"
 #include "libration/integration/closed_form/linear_flow.hpp"
 #include "libration/query/states.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/printed_number.hpp"
+#include "time_order.hpp"
 
 namespace libration::ode {
-
-inline constexpr long largest_growth_of_bits = 6;
 
 // A time in the order in which an integration reaches it.
 struct asked_time {
@@ -63,14 +62,13 @@ inline std::optional<std::vector<ball>> state_at(proved_march& march, const expl
     return march.at(time);
 }
 
-/// Throws error of the kind undecided if an integration ended before this time for another reason than too few bits.
-inline void require_more_bits(const proved_march& march, const number& time, bool forward) {
+/// Why an integration ended before a time, unless by too few bits.
+inline std::optional<std::string> reason_of_end(const proved_march& march, bool forward) {
     if (march.end() == stop::precision) {
-        return;
+        return std::nullopt;
     }
-    throw error(error_kind::undecided, "time", text_of_time(time),
-                "is not reached: the solution is proved to exist up to " + proved_reach_text(march.reached(), forward) +
-                    ", where the steps become too small, as they do near a singularity");
+    return "is not reached: the solution is proved to exist up to " + proved_reach_text(march.reached(), forward) +
+           ", where the steps become too small, as they do near a singularity";
 }
 
 /// An additional request to a run besides the values.
@@ -97,29 +95,22 @@ public:
           further_(std::move(further)),
           route_(route),
           observer_(std::move(observer)),
-          error_bits_(further_.error_bits),
           order_(in_order(system, times)),
           constancy_(further_.answered ? constancy::none : constancy_of(system)),
           linear_(!further_.answered && route.matrix_exponential && route.integrator == integrator_choice::automatic
                       ? linear_flow::of(system)
                       : std::nullopt),
+          names_(asked_of(names_of_state(system))),
           done_(times.size()),
-          ends_{times.size(), times.size()},
-          bits_(digits) {
+          ends_{times.size(), times.size()} {
         part_.states.resize(times.size());
     }
 
     /// Throws only errors of the kind argument.
     partial_trajectory part() {
-        try {
-            while (!complete()) {
-            }
-        } catch (const error& problem) {
-            if (problem.kind() != error_kind::undecided) {
-                throw;
-            }
-            miss(problem);
-        }
+        part_.missing = prove_digits(
+            digits_, "time", [this](const run_bits& run, run_demand& demand) { pass_through_times(run, demand); },
+            {.bits = bits_of_first_run(digits_), .error_bits = further_.error_bits});
         for (const collocation_use& each : collocation_) {
             if (each.steps > 0) {
                 part_.collocation.push_back(each);
@@ -129,22 +120,21 @@ public:
     }
 
 private:
-    // One run; if it does not prove every digit, the next one has more bits.
-    bool complete() {
+    // One run.
+    void pass_through_times(const run_bits& run, run_demand& demand) {
         std::optional<proved_march> march;
         bool forward = true;
-        long steps = 0;  // before those of `march`
-        std::optional<std::size_t> at_zero;
-        for (std::size_t place = 0; place < order_.size(); ++place) {
+        for (std::size_t place = 0; place < order_.size() && !demand.repeats(); ++place) {
             const asked_time& each = order_[place];
             if (done_[each.index] || place >= ends_[each.forward ? 1 : 0]) {
                 continue;
             }
-            auto state = state_in_closed_form(each.index);
+            const std::string time = text_of_time(times_[each.index]);
+            auto state = state_in_closed_form(each.index, run.bits);
             if (!state && (!march || each.forward != forward)) {
-                steps += march ? march->steps() : 0;
+                demand.cost(march ? march->steps() : 0);
                 forward = each.forward;
-                march.emplace(system_, bits_.now(), watch_, error_bits_, route_);
+                march.emplace(system_, run.bits, watch_, run.error_bits, route_);
                 march->aim(times_[farthest(forward)]);
                 march->observe(observer_);
                 if (further_.answered) {
@@ -152,36 +142,38 @@ private:
                 }
             }
             if (!state) {
-                state = state_at(*march, system_, times_[each.index], bits_.now());
+                state = state_at(*march, system_, times_[each.index], run.bits);
                 collocation_[forward ? 1 : 0] = march->collocation();
                 if (state && constancy_ == constancy::as_defined) {  // it exists up to this time
-                    state = enclosed_start(system_, bits_.now());
+                    state = enclosed_start(system_, run.bits);
                 }
             }
             if (!state) {
-                if (ends(*march, each)) {
+                if (const auto reason = reason_of_end(*march, forward)) {
+                    demand.ended(time, *reason);
                     ends_[forward ? 1 : 0] = place;
-                    continue;
+                } else {
+                    const auto part_up_to = [&](std::size_t index) {
+                        return part_of_way(system_.point(), march->reached(), times_[index]);
+                    };
+                    demand.ended_part_way(std::min(part_up_to(order_.back().index), part_up_to(each.index)), time);
                 }
-                bits_.raise_to(bits_to_go_on(*march, each.index), "time", text_of(each.index));
-                return false;
+                continue;
             }
-            if (!proved(each.index, asked_of(*state))) {
-                return false;
+            demand.improve(part_.states[each.index], asked_of(*state), time, names_);
+            if (demand.repeats()) {
+                break;
             }
             const bool answered = !further_.answered || further_.answered(*march, each.index, *state);
             if (!all_have_digits(part_.states[each.index])) {
-                at_zero = at_zero.value_or(each.index);
                 continue;
             }
+            done_[each.index] = answered;
             if (!answered) {
-                error_bits_ *= 2;
-                bits_.raise_to(bits_.now() + error_bits_ / 4, "time", text_of(each.index));
-                return false;
+                demand.more_error_bits(time);
             }
-            done_[each.index] = true;
         }
-        return !at_zero || given_up(*at_zero, steps + (march ? march->steps() : 0));
+        demand.cost(march ? march->steps() : 0);
     }
 
     // The last time in a direction that is still to be reached.
@@ -197,71 +189,24 @@ private:
 
     // Without steps: the initial values of a constant solution, and the exponential of the matrix of a linear system; no
     // longer if that lacks digits.
-    std::optional<std::vector<ball>> state_in_closed_form(std::size_t index) {
+    std::optional<std::vector<ball>> state_in_closed_form(std::size_t index, long bits) {
         if (constancy_ == constancy::everywhere) {
-            return enclosed_start(system_, bits_.now());
+            return enclosed_start(system_, bits);
         }
         if (!linear_) {
             return std::nullopt;
         }
-        auto state = linear_->at(times_[index], bits_.now());
+        auto state = linear_->at(times_[index], bits);
         if (!state) {
             linear_.reset();
         } else if (observer_) {
             const precision_scope scope(20);
             const ball start = constant_value<ball>::of(system_.point());
             observer_({midpoint_of(start).convert_to<double>(),
-                       midpoint_of(constant_value<ball>::of(times_[index]) - start).convert_to<double>(), bits_.now(),
-                       0, step_method::exponential, -std::numeric_limits<double>::infinity()});
+                       midpoint_of(constant_value<ball>::of(times_[index]) - start).convert_to<double>(), bits, 0,
+                       step_method::exponential, -std::numeric_limits<double>::infinity()});
         }
         return state;
-    }
-
-    // Whether an integration without a state ended for another reason than too few bits: then no run gets further.
-    bool ends(const proved_march& march, const asked_time& at) {
-        try {
-            require_more_bits(march, times_[at.index], at.forward);
-            return false;
-        } catch (const error& problem) {
-            miss(problem);
-            return true;
-        }
-    }
-
-    // The digits of the values, or bounds; false if one that excludes 0 needs more bits.
-    bool proved(std::size_t index, const std::vector<ball>& values) {
-        auto& state = part_.states[index];
-        state.resize(values.size());
-        const ball* too_wide = nullptr;
-        for (std::size_t k = 0; k < values.size(); ++k) {
-            if (state[k].decimal) {
-                continue;
-            }
-            improve(state[k], values[k], digits_);
-            if (!state[k].decimal && !contains_zero(values[k])) {
-                too_wide = &values[k];
-            }
-        }
-        if (too_wide != nullptr) {
-            bits_.raise_for(*too_wide, "time", text_of(index));
-        }
-        return too_wide == nullptr;
-    }
-
-    // Whether no more runs are tried for values that contain 0, after one of so many steps.
-    bool given_up(std::size_t index, long steps) {
-        if (bits_.raised_at_zero(steps, "time", text_of(index))) {
-            return false;
-        }
-        miss(error(error_kind::undecided, "time", text_of(index),
-                   text_of_undecided(asked_of(names_of_state(system_)), part_.states[index], bits_.now())));
-        return true;
-    }
-
-    void miss(const error& problem) {
-        if (!part_.missing) {
-            part_.missing = problem;
-        }
     }
 
     // Of all values of a state, or all their names.
@@ -277,22 +222,6 @@ private:
         return asked;
     }
 
-    // The bits lost up to here, extrapolated to the longest time, plus a margin.
-    long bits_to_go_on(const proved_march& march, std::size_t index) const {
-        const long bits = bits_.now();
-        const precision_scope scope(20);
-        const mpfr gone = abs(midpoint_of(march.reached() - constant_value<ball>::of(system_.point())));
-        const mpfr asked = abs(constant_value<mpfr>::of(times_[order_.back().index] - system_.point()));
-        const mpfr here = abs(constant_value<mpfr>::of(times_[index] - system_.point()));
-        const mpfr far = std::max(asked, here);
-        const mpfr times = gone == 0 ? mpfr(largest_growth_of_bits) : mpfr(far / gone * 21 / 20);
-        const long wanted =
-            times > largest_growth_of_bits ? largest_growth_of_bits * bits : mpfr(times * bits).convert_to<long>();
-        return std::max(bits + bits / 4, wanted + bits_of_digits(digits_) + first_guard_bits);
-    }
-
-    std::string text_of(std::size_t time) const { return text_of_time(times_[time]); }
-
     const explicit_system& system_;
     const std::vector<number>& times_;
     long digits_;
@@ -300,15 +229,14 @@ private:
     further_question further_;
     proof_route route_;
     step_observer observer_;
-    long error_bits_;
     std::vector<asked_time> order_;
     constancy constancy_;  ///< `none` also if anything besides the values is requested
     std::optional<linear_flow> linear_;
+    std::vector<std::string> names_;  ///< of the requested values
     std::vector<bool> done_;
     std::array<std::size_t, 2> ends_;  ///< the places of the first times not reached, backwards and forwards
     std::array<collocation_use, 2> collocation_{};  ///< of the last runs
     partial_trajectory part_;
-    needed_bits bits_;
 };
 
 /// The digits of a trajectory if nothing is missing; otherwise throws the reason.

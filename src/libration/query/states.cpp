@@ -57,7 +57,9 @@ std::optional<std::vector<std::vector<ball>>> enclosed_trajectory(const explicit
         }
         auto state = state_at(*march, system, times[each.index], bits);
         if (!state) {
-            require_more_bits(*march, times[each.index], forward);
+            if (const auto reason = reason_of_end(*march, forward)) {
+                throw error(error_kind::undecided, "time", text_of_time(times[each.index]), *reason);
+            }
             return std::nullopt;
         }
         states[each.index] = std::move(*state);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "libration/digits/precision_loop.hpp"
 #include "libration/equation/constant_value.hpp"
 #include "libration/equation/dependency.hpp"
 #include "libration/expansion/taylor_expansion.hpp"
@@ -95,52 +96,61 @@ problem_truths::march_pair& problem_truths::marches(long digits) {
     return *made;
 }
 
-// A proved integration with its latest time, and its bits.
+// A proved integration that goes on from one time to the next, from the start with more bits where they are too few.
 struct problem_truths::proved_way {
-    explicit proved_way(std::size_t unknowns) : work(unknowns) {}
-
-    std::unique_ptr<proved_march> march;
-    number latest;
-    long bits = 0;
+    const explicit_system& system;
+    run_bits bits;
+    bool with_derivative;
     row_work work;
+    std::unique_ptr<proved_march> march = {};
+    number latest = {};
+
+    // use(state), a std::optional, at a time; without one the error maps need more bits, too. std::nullopt if no bits
+    // within the limits suffice.
+    template <class Use>
+    std::invoke_result_t<Use&, const std::vector<ball>&> at(const exact& time, const Use& use) {
+        const number at = as_exact_real(time);
+        const int direction = (at - system.point()).sign();
+        work.begin(at, time.text, direction);
+        return with_more_precision(bits.bits, most_proof_bits, [&](long& next) {
+            if (!march || ((at - latest) * number(rational(direction))).sign() < 0) {
+                march = std::make_unique<proved_march>(
+                    system, bits.bits, [this](const ball& /*reached*/, long /*bits*/) { work.add(*march); },
+                    bits.error_bits);
+                if (with_derivative) {
+                    march->keep_derivative();
+                }
+            }
+            latest = at;
+            const auto state = march->at(at);
+            auto result = state ? use(*state) : std::nullopt;
+            if (!state && march->end() == stop::step_too_small) {
+                next = most_proof_bits + 1;
+            } else if (!result) {
+                march.reset();
+                bits = {2 * bits.bits, state ? 2 * bits.error_bits : bits.error_bits};
+                next = bits.bits = bits.error_bits <= most_error_bits ? bits.bits : most_proof_bits + 1;
+            }
+            return result;
+        });
+    }
 };
-
-namespace {
-
-// Adds the work of the integration of a `way` to that of its row.
-template <class Way>
-march_watch watch_of(Way& way) {
-    return [&way](const ball& /*reached*/, long /*bits*/) { way.work.add(*way.march); };
-}
-
-}  // namespace
 
 // All unknowns and their lower derivatives, in order. More bits are used if the enclosure becomes too wide.
 std::vector<ball> problem_truths::proved_state(const exact& time, long digits) {
-    const number at = as_exact_real(time);
     auto& way = proved_by_digits_[digits];
     if (!way) {
-        way = std::make_shared<proved_way>(components_of(system_).size());
-        way->bits = digits * 3322 / 1000 + first_proof_bits;
+        way = std::make_shared<proved_way>(proved_way{system_,
+                                                      {.bits = bits_of_digits(digits) + first_proof_bits},
+                                                      false,
+                                                      row_work(components_of(system_).size())});
     }
-    const int direction = (at - system_.point()).sign();
-    way->work.begin(at, time.text, direction);
-    while (way->bits <= most_proof_bits) {
-        if (!way->march || ((at - way->latest) * number(rational(direction))).sign() < 0) {
-            way->march = std::make_unique<proved_march>(system_, way->bits, watch_of(*way));
-        }
-        way->latest = at;
-        if (const auto state = way->march->at(at)) {
-            return *state;
-        }
-        if (way->march->end() == stop::step_too_small) {
-            break;
-        }
-        way->march.reset();
-        way->bits *= 2;
+    auto state = way->at(time, [](const std::vector<ball>& found) { return std::optional(found); });
+    if (!state) {
+        throw error(error_kind::undecided, "time", time.text,
+                    "is not reached by a proof: a singularity is near, or the solution is chaotic");
     }
-    throw error(error_kind::undecided, "time", time.text,
-                "is not reached by a proof: a singularity is near, or the solution is chaotic");
+    return *std::move(state);
 }
 
 bool problem_truths::proves(const exact& time) {
@@ -239,51 +249,29 @@ std::string problem_truths::condition_of_slope(const exact& time, long digits) {
     return to_decimal(mpfr(abs(mpfr(t * slope)) / (size > 1 ? size : mpfr(1))), 3);
 }
 
-// An integration with its derivative by initial values and parameters, and its latest time.
+// An integration with its derivative by initial values and parameters.
 struct problem_truths::dependent_way {
     dependent_way(const equation_system& equations, const std::vector<std::string>& unknowns)
-        : on(equations, unknowns), work(on.system().unknowns().size()) {}
+        : on(equations, unknowns),
+          way{on.system(), {.bits = first_proof_bits}, true, row_work(on.system().unknowns().size())} {}
 
     std::size_t place_of(const std::string& name) const {
         return static_cast<std::size_t>(std::ranges::find(on.names(), name) - on.names().begin());
     }
 
     dependence on;
-    std::unique_ptr<proved_march> march;
-    number latest;
-    long bits = first_proof_bits;
-    long error_bits = proved_march::usual_error_bits;
-    row_work work;
+    proved_way way;
 };
 
 // Three digits. std::nullopt if this many bits do not decide them.
-std::optional<std::vector<moved_value>> problem_truths::moved_at(const exact& at) {
-    const number time = as_exact_real(at);
+std::optional<std::vector<moved_value>> problem_truths::moved_at(const exact& time) {
     if (!dependent_) {
         dependent_ = std::make_shared<dependent_way>(equations_, unknowns_of(system_, asked_));
     }
-    dependent_way& way = *dependent_;
-    const auto& system = way.on.system();
-    const int direction = (time - system.point()).sign();
-    way.work.begin(time, at.text, direction);
-    while (way.bits <= most_proof_bits && way.error_bits <= most_error_bits) {
-        if (!way.march || ((time - way.latest) * number(rational(direction))).sign() < 0) {
-            way.march = std::make_unique<proved_march>(system, way.bits, watch_of(way), way.error_bits);
-            way.march->keep_derivative();
-        }
-        way.latest = time;
-        if (const auto state = way.march->at(time)) {
-            if (auto moved = way.on.moved(*way.march, time, *state, 0)) {
-                return moved;
-            }
-            way.error_bits *= 2;
-        } else if (way.march->end() == stop::step_too_small) {
-            return std::nullopt;
-        }
-        way.march.reset();
-        way.bits *= 2;
-    }
-    return std::nullopt;
+    proved_way& way = dependent_->way;
+    return way.at(time, [&](const std::vector<ball>& state) {
+        return dependent_->on.moved(*way.march, as_exact_real(time), state, 0);
+    });
 }
 
 std::string problem_truths::condition_at(const exact& time, long digits) {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "libration/digits/growing_precision.hpp"
+#include "libration/digits/precision_loop.hpp"
 #include "libration/number/written_number.hpp"
 #include "libration/scalar/error.hpp"
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "libration/digits/precision_loop.hpp"
 #include "libration/equation/constant_value.hpp"
 #include "libration/equation/defined_zero.hpp"
 #include "libration/scalar/ball/predicates.hpp"
@@ -287,14 +288,12 @@ std::vector<bool> linear_flow::changing(const std::vector<ball>& first_term) con
 }
 
 std::optional<std::vector<ball>> linear_flow::at(const number& time, long bits) const {
-    for (long precision = bits + guard_bits; precision <= most_times_bits * (bits + guard_bits); precision *= 2) {
-        std::vector<ball> state = rounded_state(time, precision);
+    const long first = bits + guard_bits;
+    return with_doubled_bits(first, most_times_bits * first, [&](long now) {
+        std::vector<ball> state = rounded_state(time, now);
         const bool precise = std::ranges::all_of(state, [&](const ball& each) { return is_precise(each, bits); });
-        if (precise) {
-            return state;
-        }
-    }
-    return std::nullopt;
+        return precise ? std::optional(std::move(state)) : std::nullopt;
+    });
 }
 
 }  // namespace libration::ode

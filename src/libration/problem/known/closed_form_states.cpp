@@ -2,27 +2,9 @@
 
 #include <utility>
 
+#include "libration/digits/precision_loop.hpp"
+
 namespace libration {
-
-namespace {
-
-// Calls the progress callback after the last row. False if it ends the work.
-bool continues(const request& how, answer& result, std::size_t times) {
-    try {
-        if (how.progress) {
-            how.progress(static_cast<double>(result.rows.size()) / static_cast<double>(times));
-        }
-        return true;
-    } catch (const error& problem) {
-        if (problem.kind() != error_kind::undecided) {
-            throw;
-        }
-        result.missing = problem;
-        return false;
-    }
-}
-
-}  // namespace
 
 answer closed_form_states(const std::string& problem, const std::vector<std::string>& quantities,
                           const std::vector<exact>& times, const request& how,
@@ -34,20 +16,18 @@ answer closed_form_states(const std::string& problem, const std::vector<std::str
     }
     answer result{.names = quantities, .rows = {}, .rigour = "proved"};
     for (const exact& time : times) {
-        auto& row = result.rows.emplace_back();
-        try {
-            closed_form_row found = at(time);
-            row = std::move(found.values);
-            if (found.missing) {
-                result.missing = std::move(found.missing);
+        closed_form_row found;
+        const auto undecided = undecided_in([&] { found = at(time); });
+        result.rows.push_back(std::move(found.values));
+        const auto ended = undecided_in([&] {
+            if (how.progress) {
+                how.progress(static_cast<double>(result.rows.size()) / static_cast<double>(times.size()));
             }
-        } catch (const error& reason) {
-            if (reason.kind() != error_kind::undecided) {
-                throw;
-            }
-            result.missing = reason;
+        });
+        for (const auto& reason : {found.missing, undecided, ended}) {
+            result.missing = reason ? reason : result.missing;
         }
-        if (!continues(how, result, times.size())) {
+        if (ended) {
             break;
         }
     }

@@ -9,6 +9,7 @@
 #include "certificate_problem.hpp"
 #include "certificate_zeros.hpp"
 #include "certified_run.hpp"
+#include "libration/digits/precision_loop.hpp"
 #include "libration/expansion/step_pieces.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/decimal.hpp"
@@ -23,7 +24,6 @@ constexpr long most_certificate_bits = 4096;
 constexpr long guard_of_first_run = 8;
 // After a run that does not reach the last time.
 constexpr long least_increase = 24;
-constexpr double bits_of_digit = 3.3219281;
 // The initial values have so many bits more than the bounds of the program that checks.
 constexpr long more_bits_of_start = 64;
 constexpr double large_slowest_fast = 8;
@@ -170,28 +170,33 @@ std::string certificate_of(const explicit_system& system, const certified_statem
                            const std::function<void(const ball& reached, long bits)>& watch) {
     claimed_statement claimed(system, certified_names(system, statement), statement);
     const std::string head = problem_of_certificate(system, claimed.form(), statement);
-    run_choice choice{.bits = std::lround(static_cast<double>(digits) * bits_of_digit) + guard_of_first_run,
+    run_choice choice{.bits = std::lround(static_cast<double>(digits) * std::log2(10.)) + guard_of_first_run,
                       .keeps_tubes = claimed.has_zeros(),
                       .starts = statement.starts,
                       .varied = statement.varied};
     choice.slowest_fast = better_limit(system, claimed, choice, watch);
-    for (int run = 0; run < most_certificate_runs && choice.bits <= most_certificate_bits; ++run) {
+    int runs = 0;
+    auto text = with_more_precision(choice.bits, most_certificate_bits, [&](long& bits) -> std::optional<std::string> {
         certified_run by(system, claimed.form(), choice);
         const auto lacking = claimed.lacking_bits_of(by, watch);
-        if (by.bits_of_bounds() + more_bits_of_start > most_certified_bits) {
-            break;
-        }
-        if (choice.rounds && lacking == 0) {
+        const long bits_of_start = by.bits_of_bounds() + more_bits_of_start;
+        const bool is_within = bits_of_start <= most_certified_bits;
+        if (is_within && choice.rounds && lacking == 0) {
             return "libration-certificate 1\n" + head + "bits " + std::to_string(by.bits_of_bounds()) + " " +
-                   std::to_string(by.bits_of_bounds() + more_bits_of_start) + "\n" + claimed.text() + "steps " +
-                   std::to_string(by.steps()) + "\n" + by.text() + "end\n";
+                   std::to_string(bits_of_start) + "\n" + claimed.text() + "steps " + std::to_string(by.steps()) +
+                   "\n" + by.text() + "end\n";
         }
         choice.rounds = lacking == 0;
         choice.bits += lacking.value_or(std::max(choice.bits / 4, least_increase));
+        bits = is_within && ++runs < most_certificate_runs ? choice.bits : most_certificate_bits + 1;
+        return std::nullopt;
+    });
+    if (!text) {
+        throw error(error_kind::undecided, "certificate", claimed.last_time().str(),
+                    "has values that are not proved by collocation within the limits of the precision, or steps that "
+                    "are not: ask for fewer digits or an earlier time");
     }
-    throw error(error_kind::undecided, "certificate", claimed.last_time().str(),
-                "has values that are not proved by collocation within the limits of the precision, or steps that are "
-                "not: ask for fewer digits or an earlier time");
+    return *std::move(text);
 }
 
 }  // namespace libration::ode

@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "../../equation/needed_bits.hpp"
+#include "../../equation/bound_text.hpp"
 #include "libration/equation/first_order_form.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/proved.hpp"
@@ -233,8 +233,8 @@ private:
     std::string text_of(const std::vector<time_cell>& cells, const window& at) const {
         const time_span over = forward_ ? time_span{cells[at.first].from, cells[at.last - 1].to}
                                         : time_span{cells[at.last - 1].to, cells[at.first].from};
-        return "[" + bound_text(lower_bound(constant_value<ball>::of(over.from)), MPFR_RNDD) + ", " +
-               bound_text(upper_bound(constant_value<ball>::of(over.to)), MPFR_RNDU) + "]";
+        return interval_text(lower_bound(constant_value<ball>::of(over.from)),
+                             upper_bound(constant_value<ball>::of(over.to)));
     }
 
     const set_problem& of_;

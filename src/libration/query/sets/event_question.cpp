@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "../../equation/needed_bits.hpp"
+#include "../../equation/bound_text.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 
 namespace libration::ode {
@@ -13,10 +13,6 @@ namespace {
 constexpr long guard_digits = 20;
 
 closed_interval bounds_of(const ball& x) { return {lower_bound(x), upper_bound(x)}; }
-
-std::string text_of_bounds(const ball& x) {
-    return "[" + bound_text(lower_bound(x), MPFR_RNDD) + ", " + bound_text(upper_bound(x), MPFR_RNDU) + "]";
-}
 
 ball any_number() {
     ball all;
@@ -129,7 +125,7 @@ bool event_question::note_event(const proved_event& event, const ball_matrix& of
         if (known_sign(lower_bound(left)) < 0) {
             result.complete = false;
             result.reason =
-                "is not proved to be before that time for every solution: it is in " + text_of_bounds(event.time);
+                "is not proved to be before that time for every solution: it is in " + bounds_text(event.time);
             return false;
         }
     }
@@ -152,9 +148,8 @@ void event_question::note_end(const zero_search& search, std::size_t index, set_
             result.may_divide = false;
             break;
         case search_end::undecided:
-            result.reason = "is not decided: the condition may hold in [" +
-                            bound_text(search.undecided().from, MPFR_RNDD) + ", " +
-                            bound_text(search.undecided().to, MPFR_RNDU) + "]";
+            result.reason = "is not decided: the condition may hold in " +
+                            interval_text(search.undecided().from, search.undecided().to);
             break;
         case search_end::none:
         case search_end::steps:

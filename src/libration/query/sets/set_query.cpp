@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../../equation/needed_bits.hpp"
+#include "../../equation/bound_text.hpp"
+#include "libration/digits/precision_loop.hpp"
 #include "libration/equation/polynomial_form.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 
@@ -16,6 +17,7 @@ constexpr long bits_below_the_box = 64;
 
 // Of the ends of the intervals, to measure their widths; doubled until it suffices.
 constexpr long first_bits_of_box = 256;
+constexpr long most_bits_of_box = 1'000'000;
 
 // log2 of the ends of the narrowest interval, relative to its width; std::nullopt if no interval has one.
 std::optional<double> narrowness_of(const set_problem& of) {
@@ -33,18 +35,21 @@ std::optional<double> narrowness_of(const set_problem& of) {
 }  // namespace
 
 long bits_of_sets(const set_problem& of, long digits) {
-    for (long bits = first_bits_of_box; bits <= most_bits; bits *= 2) {
+    const auto found = with_doubled_bits(first_bits_of_box, most_bits_of_box, [&](long bits) -> std::optional<long> {
         const precision_scope scope(decimal_digits(bits));
         const auto narrowness = narrowness_of(of);
         if (!narrowness) {
-            return bits_of_digits(digits) + first_guard_bits;
+            return bits_of_first_run(digits);
         }
-        if (*narrowness < static_cast<double>(bits) / 2) {
-            return static_cast<long>(std::ceil(*narrowness)) + bits_below_the_box;
-        }
+        return *narrowness < static_cast<double>(bits) / 2
+                   ? std::optional(static_cast<long>(std::ceil(*narrowness)) + bits_below_the_box)
+                   : std::nullopt;
+    });
+    if (!found) {
+        throw error(error_kind::undecided, "problem", "",
+                    "has an interval that a million bits do not distinguish from a number");
     }
-    throw error(error_kind::undecided, "problem", "",
-                "has an interval that a million bits do not distinguish from a number");
+    return *found;
 }
 
 bool is_wide(const number_box& box) {
@@ -106,8 +111,7 @@ std::string text_of_reach(const ball& reached, bool begins, bool forward) {
 std::string text_of_part(const number_box& part, const std::vector<std::string>& names, std::size_t parts) {
     std::string text;
     for (std::size_t j = 0; j < part.size(); ++j) {
-        text += (j == 0 ? " for " : ", ") + names[j] + " in [" + bound_text(part[j].lower, MPFR_RNDD) + ", " +
-                bound_text(part[j].upper, MPFR_RNDU) + "]";
+        text += (j == 0 ? " for " : ", ") + names[j] + " in " + interval_text(part[j].lower, part[j].upper);
     }
     return text + (parts > 1 ? ", one of " + std::to_string(parts) + " parts" : "");
 }

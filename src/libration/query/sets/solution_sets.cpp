@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "../../equation/needed_bits.hpp"
+#include "../../equation/bound_text.hpp"
 #include "box_faces.hpp"
 #include "set_run.hpp"
 #include "subdivision.hpp"

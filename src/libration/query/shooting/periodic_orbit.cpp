@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "../../equation/needed_bits.hpp"
+#include "../../equation/bound_text.hpp"
 #include "libration/equation/first_order_form.hpp"
 #include "libration/event/zero_search.hpp"
 #include "libration/query/krawczyk.hpp"

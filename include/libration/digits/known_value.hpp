@@ -8,7 +8,7 @@
 
 #include "libration/scalar/printed_number.hpp"
 
-namespace libration::ode {
+namespace libration {
 
 /// A value: its digits or, if no run within the limits proved them, only a bound; neither if the solution that it
 /// depends on is not proved to reach the time.
@@ -21,4 +21,4 @@ inline bool all_have_digits(const std::vector<known_value>& values) {
     return std::ranges::all_of(values, [](const known_value& each) { return each.decimal.has_value(); });
 }
 
-}  // namespace libration::ode
+}  // namespace libration

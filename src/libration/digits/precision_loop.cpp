@@ -1,0 +1,123 @@
+#include "libration/digits/precision_loop.hpp"
+
+#include "libration/scalar/ball/decimal.hpp"
+#include "libration/scalar/ball/predicates.hpp"
+
+namespace libration {
+
+namespace {
+
+constexpr long most_bits_of_proof = 1'000'000;
+
+// The maximum number of runs, each with twice the bits, that do not distinguish a value from 0.
+constexpr int usual_runs_at_zero = 3;
+constexpr int most_runs_at_zero = 6;
+// The steps of a short run times the square of its bits; about a second.
+constexpr double most_work_at_zero = 1L << 23;
+
+}  // namespace
+
+void improve(known_value& kept, const ball& now, long digits) {
+    if (!kept.decimal) {
+        kept.decimal = to_proved_decimal(now, digits);
+        kept.bound = kept.decimal || !is_finite(now) ? "" : bound_text(now);
+    }
+}
+
+void run_demand::improve(known_value& kept, const ball& now, const std::string& of, const std::string& name) {
+    libration::improve(kept, now, digits_);
+    if (kept.decimal) {
+        return;
+    }
+    if (!is_finite(now) || !contains_zero(now)) {
+        const long lacking = bits_of_digits(digits_ - proved_digits(now, digits_));
+        more_bits(now_.bits + lacking + now_.bits / 32 + 8, of);
+    } else if (!at_zero_) {
+        const std::string undecided = std::to_string(now_.bits) + " bits do not distinguish from 0";
+        at_zero_ = {of, name.empty()
+                            ? "has a value that " + undecided
+                            : "has a value of " + name + " that " + undecided + ": |" + name + "| < " + kept.bound};
+    }
+}
+
+void run_demand::improve(std::vector<known_value>& kept, const std::vector<ball>& now, const std::string& of,
+                         const std::vector<std::string>& names) {
+    kept.resize(now.size());
+    for (std::size_t k = 0; k < now.size(); ++k) {
+        improve(kept[k], now[k], of, names[k]);
+    }
+}
+
+void run_demand::more_bits(long bits, const std::string& of) {
+    repeats_ = true;
+    if (bits > next_.bits) {
+        next_.bits = bits;
+        of_ = of;
+    }
+}
+
+void run_demand::more_error_bits(const std::string& of) {
+    next_.error_bits = 2 * now_.error_bits;
+    more_bits(now_.bits + next_.error_bits / 4, of);
+}
+
+void run_demand::ended_part_way(double part, const std::string& of) {
+    constexpr double largest_growth = 6;
+    const double growth = part > 0 ? std::min(1.05 / part, largest_growth) : largest_growth;
+    const auto extrapolated = static_cast<long>(growth * static_cast<double>(now_.bits));
+    more_bits(std::max(now_.bits + now_.bits / 4, extrapolated + bits_of_first_run(digits_)), of);
+}
+
+void run_demand::undecided(const std::string& of, const std::string& reason, long most) {
+    2 * now_.bits <= most ? twice_the_bits(of) : ended(of, reason);
+}
+
+void run_demand::ended(const std::string& of, const std::string& reason) {
+    if (!missing_) {
+        missing_ = error(error_kind::undecided, subject_, of, reason);
+    }
+}
+
+void run_demand::begin(const run_bits& with) {
+    now_ = next_ = with;
+    repeats_ = false;
+    at_zero_.reset();
+    steps_ = 0;
+}
+
+// Whether values that contain 0 need another run, if nothing else does.
+void run_demand::finish() {
+    if (repeats_ || !at_zero_) {
+        return;
+    }
+    const double next = 2 * static_cast<double>(now_.bits);
+    const bool is_short = static_cast<double>(steps_) * next * next <= most_work_at_zero;
+    if (++runs_at_zero_ < (is_short ? most_runs_at_zero : usual_runs_at_zero)) {
+        twice_the_bits(at_zero_->of);
+    } else {
+        ended(at_zero_->of, at_zero_->reason);
+    }
+}
+
+std::optional<error> prove_digits(long digits, const std::string& subject,
+                                  const std::function<void(const run_bits&, run_demand&)>& run, run_bits first) {
+    first.bits = first.bits == 0 ? bits_of_first_run(digits) : first.bits;
+    run_demand demand(digits, subject);
+    demand.next_ = first;
+    const auto thrown = undecided_in([&] {
+        const long last = std::max(first.bits, most_bits_of_proof);
+        const auto done = with_more_precision(first.bits, last, [&](long& bits) {
+            demand.begin(demand.next_);
+            run(demand.now_, demand);
+            demand.finish();
+            bits = demand.next_.bits;
+            return demand.repeats_ ? std::nullopt : std::optional(true);
+        });
+        if (!done) {
+            demand.ended(demand.of_, "is not proved by a million bits");
+        }
+    });
+    return demand.missing_ ? demand.missing_ : thrown;
+}
+
+}  // namespace libration
