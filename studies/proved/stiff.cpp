@@ -99,7 +99,8 @@ public:
             const auto begin = clock::now();
             const ode::step* const here = along_[number_];
             if (here == nullptr) {
-                throw error(error_kind::undecided, "time", as_text(time), "is not reached with these digits");
+                throw error(error_kind::undecided, error_subject::time, as_text(time),
+                            "is not reached with these digits");
             }
             const ball rest = target - here->from().time;
             const bool last = here->reaches(rest);
@@ -141,7 +142,7 @@ private:
                                ode::infinite_distance(1), bits_);
         const ode::step* const step = there[0];
         if (step == nullptr) {
-            throw error(error_kind::undecided, "time", "", "has no step of Taylor series to compare with");
+            throw error(error_kind::undecided, error_subject::time, "", "has no step of Taylor series to compare with");
         }
         return rounded(step->length());
     }

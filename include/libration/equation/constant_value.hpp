@@ -34,7 +34,7 @@ struct constant_value<rational> {
     static rational of(const number& x) {
         const auto q = x.fraction();
         if (!q) {
-            throw error(error_kind::argument, "problem", "",
+            throw error(error_kind::argument, error_subject::problem, "",
                         "has a number that is not a fraction, or a function whose value at the initial point is not "
                         "one: choose another scalar");
         }

@@ -58,7 +58,7 @@ R function_value(function_kind f, const R& x, const rational* order = nullptr) {
                     return value_by_balls(f, order, x);
                 }
             }
-            throw error(error_kind::argument, "problem", "",
+            throw error(error_kind::argument, error_subject::problem, "",
                         "needs " + std::string(each::name) +
                             " of a coefficient, which is not available in this scalar: choose another");
         }

@@ -21,7 +21,7 @@ public:
     explicit invariants(const explicit_system& system)
         : points_(tape::about_points(system, system.invariants())), there_(points_, highest(points_)) {
         if (system.invariants().empty()) {
-            throw error(error_kind::argument, "problem", "", "states no invariant");
+            throw error(error_kind::argument, error_subject::problem, "", "states no invariant");
         }
         solution_state<R> start;
         for (const auto& of_unknown : points_.starts()) {

@@ -90,13 +90,15 @@ T from_exact(const exact& number) {
     switch (number.measure) {
         case unit::one: return from_rational<T>(number.coefficient);
         case unit::period:
-            throw error(error_kind::argument, "number", number.text, "is a multiple of a period, not a number");
+            throw error(error_kind::argument, error_subject::number, number.text,
+                        "is a multiple of a period, not a number");
         case unit::expression: break;
         case unit::pi:
         case unit::degree: return from_rational<T>(number.in_pi()) * pi<T>();
     }
     if (number.has_periods()) {
-        throw error(error_kind::argument, "number", number.text, "is a multiple of a period, not a number");
+        throw error(error_kind::argument, error_subject::number, number.text,
+                    "is a multiple of a period, not a number");
     }
     const number_bounds within = number.formula->narrowed(scalar_traits<T>::digits() + 8);
     return scalar_traits<T>::from_bounds(within.lower, within.upper);

@@ -28,7 +28,7 @@ public:
         : a_(std::move(a)), order_(static_cast<int>(a_.size()) - 1) {
         for (const double x : points) {
             if (!(x > 0 && x <= 1)) {
-                throw error(error_kind::argument, "point", "", "is outside (0, 1]");
+                throw error(error_kind::argument, error_subject::point, "", "is outside (0, 1]");
             }
             places_.push_back({T(x), T(0)});
         }

@@ -72,7 +72,7 @@ template <scalar T>
 energy_level<T> energy_level_of(const motion& m) {
     using std::sqrt;
     if (at_critical_energy(m.regime())) {
-        throw error(error_kind::argument, "energy", "2", "makes the period infinite");
+        throw error(error_kind::argument, error_subject::energy, "2", "makes the period infinite");
     }
     energy_pair<T> pair = energies<T>(m);
     if (m.regime() == regime::rotation) {

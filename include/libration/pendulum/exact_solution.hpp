@@ -54,7 +54,7 @@ public:
     /// State at a fraction x in [0, 1] of the arc from the top (at E = 2 there is none: throws) down to the bottom.
     pendulum_state<T> from_top(const T& x) const {
         if (!level_) {
-            throw error(error_kind::argument, "energy", "2", "leaves the motion without a top");
+            throw error(error_kind::argument, error_subject::energy, "2", "leaves the motion without a top");
         }
         const integer quarter = nearest_integer(widen(x));
         const T offset = (x - from_rational<T>(rational(quarter))) * effective_period_;

@@ -31,7 +31,7 @@ inline expansion_point read_expansion_point(std::string_view text) {
     }
     exact time = read_exact(text);
     if (time.measure == unit::degree) {
-        throw error(error_kind::argument, "point", std::string(text), "is an angle, not a time");
+        throw error(error_kind::argument, error_subject::point, std::string(text), "is an angle, not a time");
     }
     return {place::time, std::move(time)};
 }
@@ -49,7 +49,7 @@ phase<T> phase_of(const expansion_point& point, const motion& m, const Clock& cl
         case expansion_point::place::top: break;
     }
     if (critical) {
-        throw error(error_kind::argument, "point", "top", "is not a point of a motion with E = 2");
+        throw error(error_kind::argument, error_subject::point, "top", "is not a point of a motion with E = 2");
     }
     return phase_map<T>::at_quarter(top);
 }

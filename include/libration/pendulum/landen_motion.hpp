@@ -52,11 +52,11 @@ public:
         mpz_submul_ui(sum.backend().data(), mpq_denref(e), 2);
         const bool add_up = mpz_cmp(mpq_denref(e), mpq_denref(g)) == 0 && sum.is_zero();
         if (!add_up) {
-            throw error(error_kind::argument, "energy", energy.str(),
+            throw error(error_kind::argument, error_subject::energy, energy.str(),
                         "and the gap " + gap.str() + " do not add up to 2");
         }
         if (energy.sign() <= 0 || gap.is_zero()) {
-            throw error(error_kind::argument, "energy", energy.str(), "has no period");
+            throw error(error_kind::argument, error_subject::energy, energy.str(), "has no period");
         }
     }
 

@@ -116,7 +116,7 @@ private:
 
     phase<W> wide_at(const exact& time) const {
         if (time.has_periods() && at_critical_energy(motion_.regime())) {
-            throw error(error_kind::argument, "time", time.text, "is a multiple of an infinite period");
+            throw error(error_kind::argument, error_subject::time, time.text, "is a multiple of an infinite period");
         }
         if (time.has_periods() && by_.method == period_method::agm) {
             const exact rest = time.without_periods();

@@ -41,7 +41,7 @@ public:
         const integer steps = nearest_integer(widen(T((t - now_) / step_)));
         if (abs(steps) > most_steps) {
             throw error(
-                error_kind::argument, "time", "",
+                error_kind::argument, error_subject::time, "",
                 "needs " + integer(abs(steps)).str() + " Runge-Kutta steps, more than " + std::to_string(most_steps));
         }
         const long count = steps.convert_to<long>();

@@ -147,7 +147,7 @@ template <scalar T>
 uniform_resummation<T> uniform_from_top(const motion& m, int order, int columns = 1) {
     using W = wide_t<T>;
     if (m.regime() == regime::stable_equilibrium) {
-        throw error(error_kind::argument, "energy", "0", "has infinitely many columns of singularities");
+        throw error(error_kind::argument, error_subject::energy, "0", "has infinitely many columns of singularities");
     }
     W half_distance;
     series::power_series<W> wide;

@@ -52,7 +52,7 @@ public:
                 return distance == 0 && at_start ? start_state() : current->at(rest);
             }
             if (steps >= most_steps || !(T(distance + length / 64) > distance)) {
-                throw error(error_kind::argument, "point", "(" + decimals(target) + ")",
+                throw error(error_kind::argument, error_subject::point, "(" + decimals(target) + ")",
                             "is not reached by the straight line there: the steps become too small near (" +
                                 decimals(centre) + "), where a singularity is close");
             }

@@ -108,7 +108,7 @@ private:
     // The real root; for a negative number only odd roots exist.
     static T root_of(const mpfr& x, int root) {
         if (root > 1 && x < 0) {
-            throw error(error_kind::argument, "time", "",
+            throw error(error_kind::argument, error_subject::time, "",
                         "is before the initial point, where the solution is not real");
         }
         return narrow<T>(root == 1 ? x : mpfr(pow(x, mpfr(mpfr(1) / root))));

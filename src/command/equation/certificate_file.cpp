@@ -45,7 +45,7 @@ void write_certificate(const std::string& path, const Make& make) {
         try {
             return make();
         } catch (const error& problem) {
-            if (problem.subject() != "certificate" || problem.kind() != error_kind::argument) {
+            if (!problem.is_about(error_subject::certificate) || problem.kind() != error_kind::argument) {
                 throw;
             }
             throw input_error(std::string(certificate_option) + " '" + path + "' " + problem.reason());
@@ -94,12 +94,12 @@ void check_certificate(const std::string& path) {
     const std::string checker = peer_program("libration-check");
     const program_result done = result_of_program({checker, path});
     if (done.exit_code == not_found) {
-        throw error(error_kind::undecided, "certificate", path,
+        throw error(error_kind::undecided, error_subject::certificate, path,
                     "is not checked, because there is no program " + checker +
                         ": build it, or check the file by check/libration_check.py");
     }
     if (done.exit_code != 0) {
-        throw error(error_kind::undecided, "certificate", path,
+        throw error(error_kind::undecided, error_subject::certificate, path,
                     "is rejected by libration-check: " + done.out.substr(0, done.out.find('\n')));
     }
     fmt::print(stderr, "libration: libration-check proves the certificate '{}', in integers\n", path);

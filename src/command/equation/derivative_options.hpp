@@ -26,7 +26,7 @@ public:
         try {
             return work();
         } catch (const error& problem) {
-            if (problem.kind() != error_kind::argument || problem.subject() != "derivatives") {
+            if (problem.kind() != error_kind::argument || !problem.is_about(error_subject::derivatives)) {
                 throw;
             }
             throw input_error("--derivatives '" + problem.value() + "' " + problem.reason());

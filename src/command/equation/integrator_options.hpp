@@ -30,7 +30,7 @@ public:
         try {
             return read();
         } catch (const error& problem) {
-            if (problem.subject() != "integrator") {
+            if (!problem.is_about(error_subject::integrator)) {
                 throw;
             }
             throw input_error("--integrator '" + problem.value() + "' " + problem.reason());

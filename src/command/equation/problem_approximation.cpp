@@ -225,10 +225,10 @@ table problem_approximation(const problem_options& problem, const chosen_approxi
         return table_of_comparison(found, times, numbers);
     } catch (const error& complaint) {
         if (complaint.kind() != error_kind::argument ||
-            (complaint.subject() != "time" && complaint.subject() != "start")) {
+            (!complaint.is_about(error_subject::time) && !complaint.is_about(error_subject::start))) {
             throw;
         }
-        throw input_error(complaint.subject() == "time" ? "--times" : "--problem", complaint.value(),
+        throw input_error(complaint.is_about(error_subject::time) ? "--times" : "--problem", complaint.value(),
                           complaint.reason(), "choose times nearer to the initial point, or another initial point");
     }
 }

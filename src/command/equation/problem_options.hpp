@@ -23,7 +23,7 @@ auto naming_option(const std::string& option, const Read& read) {
     try {
         return read();
     } catch (const error& problem) {
-        if (problem.kind() != error_kind::argument || problem.subject() != "problem") {
+        if (problem.kind() != error_kind::argument || !problem.is_about(error_subject::problem)) {
             throw;
         }
         const std::string value = problem.value().empty() ? "" : " '" + problem.value() + "'";

@@ -95,7 +95,8 @@ partial_table problem_trajectory(const solution& of, const std::vector<exact>& t
         if (found.rows.rows().empty()) {
             refuse_times(*found.missing);
         }
-        found.missing = error(error_kind::undecided, "time", found.missing->value(), found.missing->reason());
+        found.missing =
+            error(error_kind::undecided, error_subject::time, found.missing->value(), found.missing->reason());
     }
     return found;
 }
@@ -112,7 +113,7 @@ table problem_trajectory_along(const solution& of, const std::vector<ode::comple
         return table_along(of.states_along(along, {.scalar = numbers.scalar, .digits = numbers.digits}), times,
                            numbers.digits);
     } catch (const error& problem) {
-        if (problem.subject() != "point" || problem.kind() != error_kind::argument) {
+        if (!problem.is_about(error_subject::point) || problem.kind() != error_kind::argument) {
             throw;
         }
         throw input_error(corners.empty() ? "--times" : "--via with --times", problem.value(), problem.reason(),

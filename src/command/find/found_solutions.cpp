@@ -85,7 +85,7 @@ void found_solutions::add_solution(const first_guess& guess, answer found) {
 }
 
 void found_solutions::add_failure(const first_guess& guess, const error& problem) {
-    if (problem.kind() != error_kind::undecided || problem.subject() != "solution" || guess.empty()) {
+    if (problem.kind() != error_kind::undecided || !problem.is_about_solution() || guess.empty()) {
         throw error(problem);
     }
     has_failures_ = true;

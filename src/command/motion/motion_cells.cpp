@@ -16,7 +16,9 @@ namespace {
 constexpr std::array<named_text motion_cells::*, 7> members{
     &motion_cells::theta0,    &motion_cells::omega0, &motion_cells::gap,    &motion_cells::energy,
     &motion_cells::direction, &motion_cells::length, &motion_cells::gravity};
-constexpr std::array<const char*, 7> quantities{"theta0", "omega0", "gap", "energy", "direction", "length", "gravity"};
+constexpr std::array subjects{error_subject::theta0, error_subject::omega0,    error_subject::gap,
+                              error_subject::energy, error_subject::direction, error_subject::length,
+                              error_subject::gravity};
 constexpr std::array<std::string given_motion::*, 7> fields{
     &given_motion::theta0,    &given_motion::omega0, &given_motion::gap,    &given_motion::energy,
     &given_motion::direction, &given_motion::length, &given_motion::gravity};
@@ -84,7 +86,7 @@ void require_consistent(const motion_cells& cells, const typed_motion& typed) {
 motion_cells motion_cells::of(const motion_options& options) {
     motion_cells cells;
     for (std::size_t i = 0; i < members.size(); ++i) {
-        const std::string option = std::string("--") + quantities[i];
+        const std::string option = std::string("--") + name_of(subjects[i]);
         cells.*members[i] = {options.given(option).value_or(""), option};
     }
     return cells;
@@ -110,9 +112,9 @@ std::string motion_cells::key() const {
     return key;
 }
 
-const named_text& motion_cells::cell_of(const std::string& quantity) const {
-    const auto* const found = std::find(quantities.begin(), quantities.end(), quantity);
-    return this->*members.at(static_cast<std::size_t>(found - quantities.begin()));
+const named_text& motion_cells::cell_of(error_subject quantity) const {
+    const auto* const found = std::find(subjects.begin(), subjects.end(), quantity);
+    return this->*members.at(static_cast<std::size_t>(found - subjects.begin()));
 }
 
 typed_motion motion_cells::numbers(const number_notation& by) const {
@@ -123,7 +125,7 @@ typed_motion motion_cells::numbers(const number_notation& by) const {
     try {
         return typed_numbers(given, by);
     } catch (const error& problem) {
-        const named_text& cell = cell_of(problem.subject());
+        const named_text& cell = cell_of(problem.about());
         throw error(problem.kind(), cell.name, cell.text, problem.reason());
     }
 }
@@ -156,8 +158,9 @@ motion motion_cells::motion_of(const typed_motion& typed) const {
     try {
         return typed.motion();
     } catch (const error& problem) {
-        const bool negative = typed.gap && problem.subject() == "energy" && problem.kind() == error_kind::argument;
-        const named_text& cell = problem.subject() == "theta0" ? theta0 : deciding(typed);
+        const bool negative =
+            typed.gap && problem.is_about(error_subject::energy) && problem.kind() == error_kind::argument;
+        const named_text& cell = problem.is_about(error_subject::theta0) ? theta0 : deciding(typed);
         throw error(problem.kind(), cell.name, cell.text, negative ? "makes the energy negative" : problem.reason());
     }
 }
@@ -195,7 +198,7 @@ std::vector<known_column> motion_columns::known() {
 
 motion_columns::motion_columns(const column_names& names) : names_(&names) {
     for (std::size_t i = 0; i < places_.size(); ++i) {
-        places_[i] = names.find(quantities[i]);
+        places_[i] = names.find(name_of(subjects[i]));
     }
     for (std::size_t i = 0; i < typed_.size(); ++i) {
         typed_[i] = names.find(typed_quantities[i]);
@@ -227,7 +230,7 @@ named_text time_columns::in(const std::vector<std::string>& cells) const {
 exact time_in(const std::string& text) {
     exact number = read_typed(text);
     if (number.measure == unit::degree) {
-        throw error(error_kind::argument, "time", text, "is an angle");
+        throw error(error_kind::argument, error_subject::time, text, "is an angle");
     }
     return number;
 }

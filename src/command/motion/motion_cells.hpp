@@ -43,7 +43,7 @@ struct motion_cells {
 
 private:
     pendulum::typed_motion numbers(const pendulum::number_notation& by) const;
-    const named_text& cell_of(const std::string& quantity) const;
+    const named_text& cell_of(error_subject quantity) const;
     /// That of the energy or of the last number of a state.
     const named_text& deciding(const pendulum::typed_motion& typed) const;
 };

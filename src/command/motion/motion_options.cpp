@@ -39,13 +39,12 @@ std::string remedy_of(const std::string& option) {
     return remedies.at(option);
 }
 
-// An error about the value of an option, or about that of the field of this name.
+// An error about the value of an option, or with a prefix about that of the field of this name.
 template <class Read>
-auto reading_motion(const Read& read) {
+auto reading_motion(const std::string& prefix, const Read& read) {
     try {
         return read();
     } catch (const error& problem) {
-        const std::string prefix = problem.subject().starts_with("--") ? "" : "--";
         if (problem.kind() == error_kind::undecided) {
             throw error(error_kind::undecided, prefix + problem.subject(), problem.value(), problem.reason());
         }
@@ -69,7 +68,7 @@ void note_radians(const exact& angle) {
 }  // namespace
 
 typed_motion numbers_of_options(const given_motion& given) {
-    return reading_motion([&] { return typed_numbers(given); });
+    return reading_motion("--", [&] { return typed_numbers(given); });
 }
 
 std::string usual_point_of(const chosen_motion& chosen) {
@@ -113,7 +112,7 @@ chosen_motion motion_options::choose() const {
             throw input_error(name, "", "is empty", remedy_of(name));
         }
     }
-    chosen_motion chosen = reading_motion([&] { return motion_cells::of(*this).choose({}); });
+    chosen_motion chosen = reading_motion("", [&] { return motion_cells::of(*this).choose({}); });
     if (theta0_) {
         note_radians(read_exact(*theta0_));
     }

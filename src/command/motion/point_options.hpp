@@ -27,7 +27,7 @@ public:
         try {
             return naming_option("--problem", ask);
         } catch (const error& problem) {
-            if (!at_ || (problem.subject() != "time" && problem.subject() != "point")) {
+            if (!at_ || (!problem.is_about(error_subject::time) && !problem.is_about(error_subject::point))) {
                 throw;
             }
             refuse_path(problem);

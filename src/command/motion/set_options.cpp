@@ -222,7 +222,7 @@ partial_table set_options::event_counts(const problem_options& problem, ode::eve
             return with_progress(
                 [&](const auto& watch) { return ode::event_counts(equations, request, watch, route); });
         } catch (const error& problem_of_time) {
-            if (problem_of_time.subject() != "before") {
+            if (!problem_of_time.is_about(error_subject::before)) {
                 throw;
             }
             throw input_error("--before '" + problem_of_time.value() + "' " + problem_of_time.reason());

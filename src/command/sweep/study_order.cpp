@@ -72,7 +72,7 @@ axis_reading without_excluded(const study& what, const axis& along, const std::v
                 values += (values.empty() ? "" : ", ") + value.text;
             } else {
                 const std::string text = along.to_coordinate ? decimal_of(along.coordinate_of(value), 50) : value.text;
-                throw error(error_kind::argument, along.option, "",
+                throw error(error_kind::argument, {error_subject::option, along.option}, "",
                             fmt::format("has the {} {}, where {}", along.coordinate, text, reason));
             }
         }

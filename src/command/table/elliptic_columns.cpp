@@ -125,7 +125,7 @@ complex_argument elliptic_columns::argument_in(const std::vector<std::string>& c
 exact elliptic_columns::number_in(const std::vector<std::string>& cells, std::size_t at, bool as_double) const {
     return reading_cell({trimmed(cells[at]), names_->own(at)}, [&](const std::string& text) {
         if (text.empty()) {
-            throw error(error_kind::argument, "number", text, "is empty");
+            throw error(error_kind::argument, error_subject::number, text, "is empty");
         }
         const exact number = read_typed(text);
         return as_double ? nearest_double(number) : number;

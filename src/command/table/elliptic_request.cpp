@@ -200,9 +200,9 @@ void read_points(elliptic_request& request, const option_words& said) {
 }  // namespace
 
 void refuse_input(const elliptic_request& request, const elliptic_point& at, const error& complaint) {
-    const bool of_modulus = complaint.subject() == "m" || complaint.subject() == "q";
-    const bool of_argument = !request.argument.empty() && complaint.subject() == request.argument;
-    const bool of_characteristic = complaint.subject() == "n";
+    const bool of_modulus = complaint.is_about(error_subject::parameter) || complaint.is_about(error_subject::nome);
+    const bool of_argument = !request.argument.empty() && complaint.is_about(error_subject::argument);
+    const bool of_characteristic = complaint.is_about(error_subject::characteristic);
     if (complaint.kind() != error_kind::argument || !(of_modulus || of_argument || of_characteristic)) {
         throw;
     }

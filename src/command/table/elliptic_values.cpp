@@ -58,7 +58,8 @@ std::string function_text(const named_function& function, const elliptic_point& 
         if (problem.kind() != error_kind::range) {
             throw;
         }
-        throw error(error_kind::argument, std::string(function.argument), at.argument ? at.argument->text : "",
+        throw error(error_kind::argument, {error_subject::argument, std::string(function.argument)},
+                    at.argument ? at.argument->text : "",
                     fmt::format("makes {} too large or too small to be printed", function.name));
     }
 }

@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -55,12 +56,14 @@ std::string remedy_of_guesses(const find_options& options) {
 
 // An error about the conditions, the unknowns or the comparison of proofs names the option.
 [[noreturn]] void refuse(const find_options& options, const error& problem) {
-    const std::string option = problem.subject() == "conditions" || problem.subject() == "condition" ? "--such-that"
-                               : problem.subject() == "unknowns"                                     ? "--unknown"
-                               : problem.subject() == "check"                                        ? "--check"
-                               : problem.subject() == "along"                                        ? "--along"
-                                                                                                     : "";
-    if (problem.subject() == "solution" && problem.reason().ends_with("initial guess")) {
+    static const std::map<error_subject, std::string> options_of{{error_subject::conditions, "--such-that"},
+                                                                 {error_subject::condition, "--such-that"},
+                                                                 {error_subject::unknowns, "--unknown"},
+                                                                 {error_subject::check, "--check"},
+                                                                 {error_subject::along, "--along"}};
+    const auto found = options_of.find(problem.about());
+    const std::string option = found == options_of.end() ? "" : found->second;
+    if (problem.is_about(error_subject::first_guess)) {
         throw error(problem.kind(), problem.subject(), problem.value(),
                     problem.reason() + ", or several with" + remedy_of_guesses(options));
     }
@@ -71,7 +74,8 @@ std::string remedy_of_guesses(const find_options& options) {
         throw error(problem.kind(), option, problem.value(), problem.reason());
     }
     const std::string value = problem.value().empty() ? "" : " '" + problem.value() + "'";
-    throw input_error(option + value + " " + problem.reason() + (option == "--check" ? ": leave it out" : ""));
+    throw input_error(option + value + " " + problem.reason() +
+                      (problem.is_about(error_subject::check) ? ": leave it out" : ""));
 }
 
 void require_as_many_conditions(const find_options& options) {

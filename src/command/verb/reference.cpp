@@ -105,7 +105,7 @@ partial_table states_of(const asked_solution& asked, const request& how) {
     try {
         return states_table(*asked.of, asked.times, how, asked.about ? asked.about(*asked.of, how) : shared_cells{});
     } catch (const error& problem) {
-        if (problem.kind() != error_kind::range || problem.subject() != "time") {
+        if (problem.kind() != error_kind::range || !problem.is_about(error_subject::time)) {
             throw;
         }
         throw input_error("--times", asked.typed,

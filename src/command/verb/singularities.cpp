@@ -107,7 +107,7 @@ answer singularities_of(const singularities_options& options, const solution& of
                                                            }});
         });
     } catch (const error& problem) {
-        if (problem.kind() != error_kind::undecided || problem.subject() != "solution") {
+        if (problem.kind() != error_kind::undecided || !problem.is_about_solution()) {
             throw;
         }
         throw error(problem.kind(), "--problem", *options.problem.problem(),
@@ -130,7 +130,8 @@ int run_singularities(const singularities_options& options) {
     }
     table_output(options.output, figure).write(data, text_of(data, found));
     if (found.missing) {
-        const std::string subject = found.missing->subject() == "proof" ? "--prove" : found.missing->subject();
+        const std::string subject =
+            found.missing->is_about(error_subject::proof) ? "--prove" : found.missing->subject();
         throw error(found.missing->kind(), subject, found.missing->value(), found.missing->reason());
     }
     return 0;

@@ -140,10 +140,10 @@ int run_order(study_order order, const study_options& options) {
             "use --scalar mpfr:DIGITS");
     }
     const std::string reason = problem.value().empty() ? problem.reason() : std::string("finds: ") + problem.what();
-    if (options.problem && problem.subject() == "problem") {
+    if (options.problem && problem.is_about(error_subject::problem)) {
         throw input_error("--problem", *options.problem, reason, "choose another problem or initial value");
     }
-    const bool names_option = problem.subject().starts_with("--");
+    const bool names_option = problem.is_about(error_subject::option);
     throw input_error("study", options.name, reason,
                       "leave that value out" + (names_option ? " of " + problem.subject() : ""));
 }

@@ -105,7 +105,7 @@ std::vector<function_question> function_layout::read(const std::vector<std::stri
         elliptic_point at = each.columns.read(cells, as_doubles);
         const bool in_parts = each.real || each.imaginary;
         if (at.imaginary && !in_parts) {
-            throw error(error_kind::argument, "u", at.argument->text,
+            throw error(error_kind::argument, {error_subject::argument, "u"}, at.argument->text,
                         fmt::format("is complex: give the columns {0}_re and {0}_im", each.function->name));
         }
         if (in_parts && !at.imaginary) {

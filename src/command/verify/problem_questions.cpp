@@ -56,7 +56,8 @@ exact problem_layout::time(const std::vector<std::string>& cells, bool as_double
     return reading_cell({trimmed(cells[*time_]), own_time_}, [&](const std::string& text) {
         const exact time = time_in(text);
         if (time.has_periods()) {
-            throw error(error_kind::argument, "time", text, "is a multiple of a period, which a problem has not");
+            throw error(error_kind::argument, error_subject::time, text,
+                        "is a multiple of a period, which a problem has not");
         }
         return as_double ? nearest_double(time) : time;
     });

@@ -15,7 +15,7 @@ namespace {
 branch_values values_along(const std::string& text) {
     const auto equals = text.find('=');
     if (equals == std::string::npos) {
-        throw error(error_kind::argument, "along", text, "is not NAME = VALUES: write \"k = 0:1:11\"");
+        throw error(error_kind::argument, error_subject::along, text, "is not NAME = VALUES: write \"k = 0:1:11\"");
     }
     branch_values along{trimmed(text.substr(0, equals)), {}};
     try {
@@ -28,7 +28,7 @@ branch_values values_along(const std::string& text) {
         if (problem.kind() != error_kind::argument) {
             throw;
         }
-        throw error(error_kind::argument, "along", text, problem.reason());
+        throw error(error_kind::argument, error_subject::along, text, problem.reason());
     }
     return along;
 }

@@ -59,7 +59,7 @@ bool reaches(march& of, double time, state& values) {
         values = of.advance_to(time);
         return is_finite(values);
     } catch (const error& problem) {
-        if (problem.subject() != "time") {
+        if (!problem.is_about(error_subject::time)) {
             throw;
         }
         return false;
@@ -135,7 +135,7 @@ bool advances(march& of, double end, bool& done) {
         done = !of.step_towards(end);
         return true;
     } catch (const error& problem) {
-        if (problem.subject() != "time") {
+        if (!problem.is_about(error_subject::time)) {
             throw;
         }
         return false;
@@ -162,7 +162,7 @@ libration_steps steps_of(const libration_problem& problem, double begin, const d
     libration_steps result{static_cast<std::size_t>(of.order()), {begin}, {}};
     for (bool done = begin == end; !done;) {
         if (result.times.size() > most_steps) {
-            throw error(error_kind::undecided, "time", to_decimal(end, 6),
+            throw error(error_kind::undecided, error_subject::time, to_decimal(end, 6),
                         "is not reached in a million steps, as for stiff equations: the last of them is at " +
                             to_decimal(result.times.back(), 6));
         }

@@ -43,13 +43,13 @@ int infinity_of(const libration_number& x) { return x.decimal == "inf" ? 1 : x.d
 ball enclosure_of(const libration_number& x) {
     const precision_scope scope(std::max<long>(static_cast<long>(x.decimal.size()), 17) + digits_beyond);
     if (x.uncertainty.empty()) {
-        throw error(error_kind::undecided, "number", x.decimal, "has no bound of its error");
+        throw error(error_kind::undecided, error_subject::number, x.decimal, "has no bound of its error");
     }
     try {
         return enclose(from_rational<ball>(read_exact(x.decimal).coefficient),
                        from_rational<ball>(read_exact(x.uncertainty).coefficient));
     } catch (const error& problem) {  // beyond the supported exponents
-        throw error(error_kind::range, "number", x.decimal, problem.reason());
+        throw error(error_kind::range, error_subject::number, x.decimal, problem.reason());
     }
 }
 
@@ -61,7 +61,8 @@ double nearest_double(const libration_number& x) {
     const double below = mpfr_get_d(handle(midpoint_of(lower_bound(enclosure))), MPFR_RNDN);
     const double above = mpfr_get_d(handle(midpoint_of(upper_bound(enclosure))), MPFR_RNDN);
     if (!(below == above)) {
-        throw error(error_kind::undecided, "number", x.decimal, "does not determine its double: request more digits");
+        throw error(error_kind::undecided, error_subject::number, x.decimal,
+                    "does not determine its double: request more digits");
     }
     return below;
 }
@@ -184,7 +185,7 @@ int libration_number_exact(const libration_number* number, char* mantissa, size_
         given(radius, "the pointer to the radius");
         given(radius_exponent, "the pointer to the exponent of the radius");
         if (infinity_of(x) != 0) {
-            throw error(error_kind::range, "number", x.decimal, "is infinite");
+            throw error(error_kind::range, error_subject::number, x.decimal, "is infinite");
         }
         const binary_parts parts = parts_of(enclosure_of(x));
         write_text(parts.mantissa.str(), mantissa, size);

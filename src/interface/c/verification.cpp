@@ -190,7 +190,7 @@ libration_table compared_with_problem(const libration_problem& p, const asked_va
     ode::problem_truths truths(p.system(), p.equations, components);
     return compared(asked, rules, watch, [&](const exact& time) {
         if (time.has_periods()) {
-            throw error(error_kind::argument, "time", time.text,
+            throw error(error_kind::argument, error_subject::time, time.text,
                         "is a multiple of a period, which a problem does not have");
         }
         return truths.at(time);

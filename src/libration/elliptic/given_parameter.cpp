@@ -39,7 +39,7 @@ exact_parameter exact_parameter_of(const given_modulus& given) {
 exact exact_argument(const std::string& text) {
     exact u = given_number("argument", text);
     if (u.measure == unit::period || u.measure == unit::degree) {
-        throw error(error_kind::argument, "argument", text, "has a unit");
+        throw error(error_kind::argument, error_subject::argument, text, "has a unit");
     }
     return u;
 }

@@ -127,7 +127,8 @@ true_value incomplete_integral_value(std::string_view name, const exact& phi, co
         refuse_not_real(name, p.m());
     }
     if (of_n < 0) {
-        throw error(error_kind::argument, "n", at.characteristic->text, "makes the integral pass a pole");
+        throw error(error_kind::argument, error_subject::characteristic, at.characteristic->text,
+                    "makes the integral pass a pole");
     }
     if ((of_m == 0 && name != "E") || of_n == 0) {
         return infinite_value(decided_sign(from_exact<ball>(phi)));
@@ -158,7 +159,8 @@ true_value complete_integral_value(std::string_view name, const function_argumen
         refuse_not_real(name, p.m());
     }
     if (name == "Pi" && sign_of_exact(exactly(1) - *at.characteristic) < 0) {
-        throw error(error_kind::argument, "n", at.characteristic->text, "makes the integral pass a pole");
+        throw error(error_kind::argument, error_subject::characteristic, at.characteristic->text,
+                    "makes the integral pass a pole");
     }
     if (p.where() == range::one) {
         return name == "E" ? exact_value(1) : infinite_value(1);
@@ -195,7 +197,8 @@ true_value zeta_value(std::string_view name, const function_arguments& at) {
     }
     if (p.where() == range::one) {
         if (reaches_quarter(phi)) {
-            throw error(error_kind::argument, "phi", phi.text, "is not below pi/2, as m = 1 requires");
+            throw error(error_kind::argument, {error_subject::argument, "phi"}, phi.text,
+                        "is not below pi/2, as m = 1 requires");
         }
         return phi.is_zero() ? exact_value(0) : true_value{sin(from_exact<ball>(phi))};
     }

@@ -66,14 +66,15 @@ symmetric_form form_of(std::string_view function, const exact& x, const real_par
 // The value for x >= 0; infinite if R_F has two zeros.
 true_value inverse_of_positive(std::string_view function, const exact& x, const real_parameter& p) {
     if ((function == "dn" && p.where() == range::zero) || (function == "cd" && p.where() == range::one)) {
-        throw error(error_kind::argument, "m", p.m().text, "makes " + std::string(function) + " constant");
+        throw error(error_kind::argument, error_subject::parameter, p.m().text,
+                    "makes " + std::string(function) + " constant");
     }
     const symmetric_form form = form_of(function, x, p);
     int zeros = 0;
     for (const exact* each : {&form.factor_squared, &form.a, &form.b, &form.c}) {
         const int sign = sign_of_exact(*each);
         if (sign < 0) {
-            throw error(error_kind::argument, "x", x.text,
+            throw error(error_kind::argument, {error_subject::argument, "x"}, x.text,
                         "is not a value of " + std::string(function) + " between 0 and K");
         }
         zeros += sign == 0 && each != &form.factor_squared ? 1 : 0;
@@ -153,7 +154,7 @@ true_value inverse_value(std::string_view name, const function_arguments& at) {
     const bool reciprocal = function[0] == 'n' || function == "dc" || function == "ds" || function == "cs";
     if (reciprocal) {
         if (sign == 0) {
-            throw error(error_kind::argument, "x", x.text, "is not a value of " + function);
+            throw error(error_kind::argument, {error_subject::argument, "x"}, x.text, "is not a value of " + function);
         }
         x = exactly(1) / x;
         std::swap(function[0], function[1]);
@@ -163,7 +164,8 @@ true_value inverse_value(std::string_view name, const function_arguments& at) {
         return inverse_of_positive(function, x, at.parameter);
     }
     if (function == "dn") {
-        throw error(error_kind::argument, "x", at.argument->text, "is not a value of " + function);
+        throw error(error_kind::argument, {error_subject::argument, "x"}, at.argument->text,
+                    "is not a value of " + function);
     }
     const true_value mirrored = inverse_of_positive(function, exactly(0) - x, at.parameter);
     if (mirrored.infinite != 0) {
@@ -173,7 +175,8 @@ true_value inverse_value(std::string_view name, const function_arguments& at) {
         return {-mirrored.value()};
     }
     if (at.parameter.where() == range::one || at.parameter.where() == range::above) {
-        throw error(error_kind::argument, "x", at.argument->text, "is not a value of " + function);
+        throw error(error_kind::argument, {error_subject::argument, "x"}, at.argument->text,
+                    "is not a value of " + function);
     }
     return {complete_value(at.parameter) * 2 - mirrored.value()};
 }

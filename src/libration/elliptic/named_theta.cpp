@@ -51,13 +51,14 @@ true_value theta_value(std::string_view name, const function_arguments& at) {
     const exact& q = at.parameter.m();
     const int sign = sign_of_exact(q);
     if (sign_of_exact(exactly(1) - q * exactly(sign < 0 ? -1 : 1)) <= 0) {
-        throw error(error_kind::argument, "q", q.text, "is not between -1 and 1");
+        throw error(error_kind::argument, error_subject::nome, q.text, "is not between -1 and 1");
     }
     if (sign == 0) {
         return exact_value(j <= 2 ? 0 : 1);
     }
     if (sign < 0 && j <= 2) {
-        throw error(error_kind::argument, "q", q.text, "is negative, where " + std::string(name) + " is not real");
+        throw error(error_kind::argument, error_subject::nome, q.text,
+                    "is negative, where " + std::string(name) + " is not real");
     }
     if (vanishes(j, z)) {
         return exact_value(0);

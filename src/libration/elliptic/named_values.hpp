@@ -29,7 +29,8 @@ inline true_value exact_value(const rational& value) { return {from_rational<bal
 inline true_value infinite_value(int sign) { return {ball(0), std::nullopt, ball(1), sign}; }
 
 [[noreturn]] inline void refuse_not_real(std::string_view name, const exact& m) {
-    throw error(error_kind::argument, "m", m.text, "is above 1, where " + std::string(name) + " is not real");
+    throw error(error_kind::argument, error_subject::parameter, m.text,
+                "is above 1, where " + std::string(name) + " is not real");
 }
 
 }  // namespace libration::elliptic

@@ -282,7 +282,7 @@ std::map<std::string, expression> delay_system::delayed_values(std::size_t passe
         } else if (each.right) {
             values.emplace(each.value.parameter, with_parameters(*each.right, values));
         } else {
-            throw error(error_kind::undecided, "time", "",
+            throw error(error_kind::undecided, error_subject::time, "",
                         "is beyond the last one for which the delayed highest derivatives are known");
         }
     }

@@ -120,7 +120,7 @@ std::vector<std::size_t> reached_from(std::size_t first, const std::vector<std::
 }
 
 [[noreturn]] void refuse_open_set(const unknown_function& of, const unknown_function& missing) {
-    throw error(error_kind::argument, "problem", of.name,
+    throw error(error_kind::argument, error_subject::problem, of.name,
                 "depends on " + missing.name + ", which is not in the set of unknowns: add it");
 }
 
@@ -228,7 +228,8 @@ closed_subsystem subsystem_with(const explicit_system& of, const std::vector<std
     for (const std::string& name : names) {
         const auto found = index_of.find(name);
         if (found == index_of.end()) {
-            throw error(error_kind::argument, "problem", name, "is none of the unknowns: choose one of them");
+            throw error(error_kind::argument, error_subject::problem, name,
+                        "is none of the unknowns: choose one of them");
         }
         const auto closure = graph.closure(found->second);
         closed.insert(closure.begin(), closure.end());

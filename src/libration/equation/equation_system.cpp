@@ -51,7 +51,7 @@ std::string beginning_of(const std::string& text) {
 void refuse(const std::string& what, const place& at, const std::string& reason) {
     const std::string where =
         at.line == 0 ? "" : "at line " + std::to_string(at.line) + ", column " + std::to_string(at.column) + " ";
-    throw error(error_kind::argument, "problem", beginning_of(what), where + reason);
+    throw error(error_kind::argument, error_subject::problem, beginning_of(what), where + reason);
 }
 
 std::vector<definition> parameters_of(const step_function& step, const number& value) {

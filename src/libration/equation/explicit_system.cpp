@@ -40,10 +40,10 @@ auto named(const std::string& name, const place& at, const Operation& operation)
     try {
         return operation();
     } catch (const error& problem) {
-        if (problem.subject() == "problem") {
+        if (problem.is_about(error_subject::problem)) {
             throw;
         }
-        refuse(name, at, problem.reason() + (problem.subject() == "number" ? ": choose other numbers" : ""));
+        refuse(name, at, problem.reason() + (problem.is_about(error_subject::number) ? ": choose other numbers" : ""));
     }
 }
 

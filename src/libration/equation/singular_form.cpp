@@ -49,7 +49,7 @@ public:
     void note(const rational& exponent) {
         const integer whole = lcm(integer(root_), denominator(exponent));
         if (whole > largest_root) {
-            throw error(error_kind::argument, "problem", "",
+            throw error(error_kind::argument, error_subject::problem, "",
                         "has powers of the distance from the initial point with denominators above " +
                             std::to_string(largest_root));
         }
@@ -123,7 +123,7 @@ private:
         }
         if (inner.exponent < 0) {
             throw error(
-                error_kind::argument, "problem", "",
+                error_kind::argument, error_subject::problem, "",
                 "has a function whose argument may be infinite at the initial point: choose another initial point");
         }
         return {0, with_argument(e, joined(inner))};

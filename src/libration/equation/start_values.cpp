@@ -9,7 +9,9 @@ namespace libration::ode {
 
 namespace {
 
-[[noreturn]] void refuse_value(const std::string& reason) { throw error(error_kind::argument, "number", "", reason); }
+[[noreturn]] void refuse_value(const std::string& reason) {
+    throw error(error_kind::argument, error_subject::number, "", reason);
+}
 
 bool is_zero(const number& x) { return x.sign() == 0; }
 

@@ -121,7 +121,7 @@ void zero_search::begin_at(const number& point) {
 
 void zero_search::begin_at_singular(const flow_state& start) {
     if (direction_ < 0) {
-        throw error(error_kind::argument, "problem", "",
+        throw error(error_kind::argument, error_subject::problem, "",
                     "has a singular initial point, and events are searched only after it");
     }
     expression_values<ball> values(form_.leaves, start.time);

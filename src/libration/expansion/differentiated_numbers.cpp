@@ -68,7 +68,7 @@ void require_independent(const equation_system& given, const std::vector<std::st
 }
 
 void refuse_derivative(const std::string& name, const std::string& reason) {
-    throw error(error_kind::argument, "derivatives", name, reason);
+    throw error(error_kind::argument, error_subject::derivatives, name, reason);
 }
 
 differentiated_numbers::differentiated_numbers(const equation_system& given, const std::vector<std::string>& state,

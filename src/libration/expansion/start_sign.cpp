@@ -49,7 +49,7 @@ int exact_sign(const expression& e, const first_order_form& form, const number& 
         const std::string what =
             order == 0 ? "the condition holds there" : "its derivative number " + std::to_string(order) + " is 0 there";
         throw error(
-            error_kind::undecided, "start", "",
+            error_kind::undecided, error_subject::start, "",
             "cannot be distinguished from an event: whether " + what + " is not decided (" + problem.what() +
                 "); write the initial value and the condition in the same form, or choose another initial point");
     }
@@ -66,7 +66,7 @@ start_sign sign_at_start(const first_order_form& form, const expression& g, cons
             return result;
         }
         if (result.order == most_orders_at_start) {
-            throw error(error_kind::undecided, "start", "",
+            throw error(error_kind::undecided, error_subject::start, "",
                         "is an event of too high an order: the condition and its first " +
                             std::to_string(most_orders_at_start) + " derivatives hold there");
         }

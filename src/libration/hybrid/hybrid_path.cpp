@@ -34,7 +34,7 @@ hybrid_path::hybrid_path(const hybrid_system& system, long bits, proof_route rou
     note_relations(mode.by_relation);
     piece_ = std::make_unique<path_piece>(system.first_branch(*mode.values));
     if (piece_->system.singular()) {
-        throw error(error_kind::argument, "problem", "",
+        throw error(error_kind::argument, error_subject::problem, "",
                     "has a singular initial point, where events and piecewise right-hand sides are not supported: "
                     "choose another initial point");
     }

@@ -362,7 +362,7 @@ initial_mode mode_at_start(const hybrid_system& system) {
     const branch_beginning start(system);
     initial_mode found = mode_after(start);
     if (!found.values) {
-        throw error(error_kind::undecided, "start", system.steps()[found.step].text,
+        throw error(error_kind::undecided, error_subject::start, system.steps()[found.step].text,
                     "begins on a switching surface: " + found.reason(system) + ": choose another initial point");
     }
     return found;

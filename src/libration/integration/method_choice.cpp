@@ -41,7 +41,8 @@ void method_choice::require_integrator(bool with_derivative) const {
         return;
     }
     if (const std::string reason = collocation_->obstacle(with_derivative); !reason.empty()) {
-        throw error(error_kind::argument, "integrator", "collocation", reason + ": use automatic or taylor");
+        throw error(error_kind::argument, error_subject::integrator, "collocation",
+                    reason + ": use automatic or taylor");
     }
 }
 

@@ -68,7 +68,7 @@ int sign_of_exact(const exact& number) {
     try {
         return number.formula->sign();
     } catch (const error& problem) {
-        throw error(problem.kind(), "number", number.text, problem.reason());
+        throw error(problem.kind(), error_subject::number, number.text, problem.reason());
     }
 }
 
@@ -76,18 +76,20 @@ mpfr mpfr_from_exact(const exact& number) {
     switch (number.measure) {
         case unit::one: return from_rational<mpfr>(number.coefficient);
         case unit::period:
-            throw error(error_kind::argument, "number", number.text, "is a multiple of a period, not a number");
+            throw error(error_kind::argument, error_subject::number, number.text,
+                        "is a multiple of a period, not a number");
         case unit::expression: break;
         case unit::pi:
         case unit::degree: return from_rational<mpfr>(number.in_pi()) * pi<mpfr>();
     }
     if (number.has_periods()) {
-        throw error(error_kind::argument, "number", number.text, "is a multiple of a period, not a number");
+        throw error(error_kind::argument, error_subject::number, number.text,
+                    "is a multiple of a period, not a number");
     }
     try {
         return rounded_value(*number.formula);
     } catch (const error& problem) {
-        throw error(problem.kind(), "number", number.text, problem.reason());
+        throw error(problem.kind(), error_subject::number, number.text, problem.reason());
     }
 }
 

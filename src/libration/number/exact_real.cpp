@@ -222,7 +222,7 @@ exact_real exact_real::of_atom(atom a) {
     while (!result.bounds_at(bits)) {
         bits *= 2;
         if (bits > result.most_bits()) {
-            throw error(error_kind::undecided, "number", "",
+            throw error(error_kind::undecided, error_subject::number, "",
                         "has a part for which no precision within the limits decides whether it is defined");
         }
     }

@@ -34,7 +34,7 @@ public:
 
 private:
     [[noreturn]] static void refuse(const std::string& reason) {
-        throw error(error_kind::argument, "number", "", reason);
+        throw error(error_kind::argument, error_subject::number, "", reason);
     }
 
     std::string column_of(std::string_view place) const {

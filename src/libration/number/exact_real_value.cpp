@@ -160,7 +160,7 @@ private:
             case atom_kind::pi: return of_pi();
             case atom_kind::degree: return product(of_pi(), of_fraction(rational(1, 180)));
             case atom_kind::period:
-                throw error(error_kind::argument, "number", "", "is a multiple of a period, not a number");
+                throw error(error_kind::argument, error_subject::number, "", "is a multiple of a period, not a number");
             case atom_kind::one:
             case atom_kind::product:
             case atom_kind::quotient:
@@ -219,7 +219,7 @@ number_bounds exact_real::narrowed(long bits) const {
             }
         }
         if (at > std::max(most_bits(), 4 * bits)) {
-            throw error(error_kind::undecided, "number", "",
+            throw error(error_kind::undecided, error_subject::number, "",
                         "may be 0: no precision up to " + std::to_string(at) + " bits decides");
         }
     }

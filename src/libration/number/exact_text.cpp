@@ -52,7 +52,7 @@ std::optional<exact> read_plain(std::string_view text) {
             return std::nullopt;
         }
         if (divisor->significand == 0) {
-            throw error(error_kind::argument, "number", "", "divides by zero");
+            throw error(error_kind::argument, error_subject::number, "", "divides by zero");
         }
         value /= divisor->value();
     }
@@ -67,14 +67,14 @@ std::optional<exact> read_plain(std::string_view text) {
 exact read_exact(std::string_view text) {
     try {
         if (text.empty()) {
-            throw error(error_kind::argument, "number", "", "is empty");
+            throw error(error_kind::argument, error_subject::number, "", "is empty");
         }
         if (auto plain = read_plain(text)) {
             return *std::move(plain);
         }
         return exactly(read_expression(text), std::string(text));
     } catch (const error& problem) {
-        throw error(problem.kind(), "number", std::string(text), problem.reason());
+        throw error(problem.kind(), error_subject::number, std::string(text), problem.reason());
     }
 }
 

@@ -16,7 +16,7 @@ constexpr long largest_scale = 100'000;
 constexpr std::size_t most_significant_digits = 200'000;
 
 [[noreturn]] void refuse_scale() {
-    throw error(error_kind::argument, "number", "", "is beyond the range 1e-100000 .. 1e100000");
+    throw error(error_kind::argument, error_subject::number, "", "is beyond the range 1e-100000 .. 1e100000");
 }
 
 bool is_digit(char c, radix base) {

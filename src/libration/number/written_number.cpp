@@ -35,7 +35,7 @@ written_number read_written(std::string_view text) {
     rest.remove_prefix(hexadecimal ? 2 : 0);
     const auto number = take_number(rest, hexadecimal ? radix::hexadecimal : radix::decimal);
     if (!number || !rest.empty()) {
-        throw error(error_kind::argument, "number", std::string(text), "is not a number");
+        throw error(error_kind::argument, error_subject::number, std::string(text), "is not a number");
     }
     const rational value = number->value();
     return {negative ? rational(-value) : value, number->last_place()};
@@ -52,7 +52,7 @@ rational nearest_double(const rational& q) {
     const double below = mpq_get_d(q.backend().data());  // towards 0
     const double above = std::nextafter(below, q.sign() * std::numeric_limits<double>::infinity());
     if (!std::isfinite(above)) {
-        throw error(error_kind::argument, "number", "", "is beyond the largest double");
+        throw error(error_kind::argument, error_subject::number, "", "is beyond the largest double");
     }
     const rational lower(below);
     const rational upper(above);
@@ -68,7 +68,7 @@ exact nearest_double(const exact& number) {
     }
     const auto radians = from_exact<double>(number);
     if (!std::isfinite(radians)) {
-        throw error(error_kind::argument, "number", "", "is beyond the largest double");
+        throw error(error_kind::argument, error_subject::number, "", "is beyond the largest double");
     }
     return {rational(radians), unit::one, number.text};
 }

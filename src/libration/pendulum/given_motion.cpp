@@ -9,7 +9,7 @@ namespace libration::pendulum {
 
 namespace {
 
-void refuse_both(const char* one, const std::string& value, const char* other) {
+void refuse_both(error_subject one, const std::string& value, const char* other) {
     throw error(error_kind::argument, one, value, std::string("comes together with the ") + other);
 }
 
@@ -21,7 +21,7 @@ std::string positive(const exact& number) {
 std::string angle(const exact& number) { return number.has_periods() ? "is a time" : ""; }
 
 // The number of a field, std::nullopt if it is omitted.
-std::optional<exact> number_in(const char* field, const std::string& text, const number_notation& by,
+std::optional<exact> number_in(error_subject field, const std::string& text, const number_notation& by,
                                std::string (*reason_against)(const exact&)) {
     if (text.empty()) {
         return std::nullopt;
@@ -40,13 +40,13 @@ std::optional<exact> number_in(const char* field, const std::string& text, const
 
 exact squared_frequency_of(const given_motion& given, const number_notation& by) {
     if (given.length.empty() != given.gravity.empty()) {
-        throw error(error_kind::argument, given.length.empty() ? "gravity" : "length",
+        throw error(error_kind::argument, given.length.empty() ? error_subject::gravity : error_subject::length,
                     given.length.empty() ? given.gravity : given.length,
                     given.length.empty() ? "comes without length" : "comes without gravity");
     }
-    return given.length.empty()
-               ? exactly(1)
-               : *number_in("gravity", given.gravity, by, positive) / *number_in("length", given.length, by, positive);
+    return given.length.empty() ? exactly(1)
+                                : *number_in(error_subject::gravity, given.gravity, by, positive) /
+                                      *number_in(error_subject::length, given.length, by, positive);
 }
 
 int direction_of(const given_motion& given, const number_notation& by) {
@@ -55,7 +55,7 @@ int direction_of(const given_motion& given, const number_notation& by) {
         return 1;
     }
     if (text != "-" && !(by.of_programs && text == "-1")) {
-        throw error(error_kind::argument, "direction", text, "is neither + nor -");
+        throw error(error_kind::argument, error_subject::direction, text, "is neither + nor -");
     }
     return -1;
 }
@@ -63,8 +63,8 @@ int direction_of(const given_motion& given, const number_notation& by) {
 void require_energy(const given_motion& given, const typed_motion& typed) {
     const bool by_gap = !given.gap.empty();
     if (sign_of_exact(typed.exact_energy()) < 0) {
-        throw error(error_kind::argument, by_gap ? "gap" : "energy", by_gap ? given.gap : given.energy,
-                    by_gap ? "makes the energy negative" : "is negative");
+        throw error(error_kind::argument, by_gap ? error_subject::gap : error_subject::energy,
+                    by_gap ? given.gap : given.energy, by_gap ? "makes the energy negative" : "is negative");
     }
 }
 
@@ -73,10 +73,10 @@ void require_energy(const given_motion& given, const typed_motion& typed) {
 typed_motion typed_numbers(const given_motion& given, const number_notation& by) {
     typed_motion typed;
     typed.squared_frequency = squared_frequency_of(given, by);
-    typed.theta0 = number_in("theta0", given.theta0, by, angle);
-    typed.omega0 = number_in("omega0", given.omega0, by, without_unit);
-    typed.gap = number_in("gap", given.gap, by, without_unit);
-    typed.energy = number_in("energy", given.energy, by, without_unit);
+    typed.theta0 = number_in(error_subject::theta0, given.theta0, by, angle);
+    typed.omega0 = number_in(error_subject::omega0, given.omega0, by, without_unit);
+    typed.gap = number_in(error_subject::gap, given.gap, by, without_unit);
+    typed.energy = number_in(error_subject::energy, given.energy, by, without_unit);
     typed.direction = direction_of(given, by);
     return typed;
 }
@@ -84,16 +84,16 @@ typed_motion typed_numbers(const given_motion& given, const number_notation& by)
 typed_motion exact_numbers(const given_motion& given) {
     const bool energetic = !given.energy.empty() || !given.gap.empty();
     if (!given.energy.empty() && !given.gap.empty()) {
-        refuse_both("gap", given.gap, "energy");
+        refuse_both(error_subject::gap, given.gap, "energy");
     }
     if (energetic && !given.omega0.empty()) {
-        refuse_both("omega0", given.omega0, given.gap.empty() ? "energy" : "gap");
+        refuse_both(error_subject::omega0, given.omega0, given.gap.empty() ? "energy" : "gap");
     }
     if (!energetic && (given.theta0.empty() || given.omega0.empty())) {
         throw error(error_kind::argument, "motion", "", "needs an energy, a gap, or theta0 and omega0");
     }
     if (!energetic && !given.direction.empty()) {
-        refuse_both("direction", given.direction, "omega0, which includes the sign");
+        refuse_both(error_subject::direction, given.direction, "omega0, which includes the sign");
     }
     typed_motion typed = typed_numbers(given);
     if (energetic) {

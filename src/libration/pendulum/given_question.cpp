@@ -9,7 +9,7 @@ namespace libration::pendulum {
 
 void require_time(const motion& m, const exact& time) {
     if (time.has_periods() && at_critical_energy(m.regime())) {
-        throw error(error_kind::argument, "time", time.text, "is a multiple of an infinite period");
+        throw error(error_kind::argument, error_subject::time, time.text, "is a multiple of an infinite period");
     }
 }
 
@@ -36,10 +36,11 @@ rational energy_of_norm(const motion& m, int order) {
         throw error(error_kind::argument, "order", std::to_string(order), "is negative");
     }
     if (!m.energy()) {
-        throw error(error_kind::argument, "energy", "", "is not rational: the norm is that of a rational energy");
+        throw error(error_kind::argument, error_subject::energy, "",
+                    "is not rational: the norm is that of a rational energy");
     }
     if (*m.energy() == 0 || at_critical_energy(m.regime())) {
-        throw error(error_kind::argument, "energy", m.energy()->str(),
+        throw error(error_kind::argument, error_subject::energy, m.energy()->str(),
                     *m.energy() == 0 ? "leaves theta constant" : "makes the period infinite");
     }
     return *m.energy();

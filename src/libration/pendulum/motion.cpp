@@ -11,7 +11,7 @@ namespace {
 // A number, not a bare fraction of pi or of T.
 void require_number(const exact& omega0) {
     if (!omega0.is_number()) {
-        throw error(error_kind::argument, "omega0", omega0.text, "is not a decimal or a fraction");
+        throw error(error_kind::argument, error_subject::omega0, omega0.text, "is not a decimal or a fraction");
     }
 }
 
@@ -57,7 +57,7 @@ motion motion::of_energy_from(const exact& energy, const exact& theta0, int dire
     const proved_sign kinetic = half_square ? sign_of(exactly(*half_square, what), what)
                                             : sign_of_sum_with_cosine(rational(energy.coefficient - 1), theta0, what);
     if (kinetic.sign < 0) {
-        throw error(error_kind::argument, "theta0", theta0.text, "is not reached with this energy");
+        throw error(error_kind::argument, error_subject::theta0, theta0.text, "is not reached with this energy");
     }
     result.omega0_sign_ = kinetic.sign * direction;
     result.direction_ = direction;
@@ -110,7 +110,7 @@ void motion::set_energy_of_start(const exact& kinetic) {
 void motion::set_energy_and_gap(exact energy, exact gap) {
     const proved_sign of_energy = sign_of(energy, "E");
     if (of_energy.sign < 0) {
-        throw error(error_kind::argument, "energy", energy.text, "is a negative energy");
+        throw error(error_kind::argument, error_subject::energy, energy.text, "is a negative energy");
     }
     gap_ = sign_of(gap, "2 - E");
     note_condition(of_energy.exponent);

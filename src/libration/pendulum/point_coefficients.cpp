@@ -37,10 +37,10 @@ expansion_point point_of_motion(const motion& m, const std::string& name) {
     }
     expansion_point point = read_expansion_point(name);
     if (critical && point.where == expansion_point::place::top) {
-        throw error(error_kind::argument, "point", name, "is not a point of a motion with E = 2");
+        throw error(error_kind::argument, error_subject::point, name, "is not a point of a motion with E = 2");
     }
     if (critical && point.time.has_periods()) {
-        throw error(error_kind::argument, "point", name, "is a multiple of an infinite period");
+        throw error(error_kind::argument, error_subject::point, name, "is a multiple of an infinite period");
     }
     return point;
 }

@@ -41,7 +41,7 @@ public:
                 next = exact_midpoint(now_->about().offset + rest * part);
             }
             if (++discs_ > most_path_discs + flow_.bits()) {
-                throw error(error_kind::undecided, "problem", "",
+                throw error(error_kind::undecided, error_subject::problem, "",
                             "cannot be followed to a singularity: the proved discs become too small before it; if a "
                             "sum such as x^2 + y^2 cancels there, write the problem in x + i y and x - i y");
             }

@@ -6,7 +6,7 @@ namespace libration::ode {
 namespace {
 
 [[noreturn]] void refuse_start(const std::string& with) {
-    throw error(error_kind::argument, "problem", "",
+    throw error(error_kind::argument, error_subject::problem, "",
                 "has a singular initial point with " + with +
                     ", from which singularities are not searched: choose another initial point");
 }

@@ -66,7 +66,7 @@ int proved_pole_order(const explicit_system& system, const found_singularity& fo
     return order.value_or(0);
 }
 
-constexpr const char* subject_of_refusals = "problem";
+constexpr error_subject subject_of_refusals = error_subject::problem;
 
 [[noreturn]] void refuse_proof(const std::string& why) {
     throw error(error_kind::undecided, subject_of_refusals, "", why);
@@ -216,8 +216,8 @@ proved_singularity proved_or_refused(const explicit_system& system, const found_
         }
         proved_singularity refused;
         refused.centre = found.offset;
-        refused.refusal = problem.subject() == subject_of_refusals ? problem.reason()
-                                                                   : std::string("was not decided: ") + problem.what();
+        refused.refusal = problem.is_about(subject_of_refusals) ? problem.reason()
+                                                                : std::string("was not decided: ") + problem.what();
         return refused;
     }
 }

@@ -106,7 +106,7 @@ private:
 
     static void require_step(long steps, double radius) {
         if (steps > most_walk_steps || !(radius > 0)) {
-            throw error(error_kind::undecided, "problem", "",
+            throw error(error_kind::undecided, error_subject::problem, "",
                         "cannot be followed to a singularity: the steps become too small");
         }
     }
@@ -125,7 +125,8 @@ private:
             series.about(now_, values_);
             const auto estimate = series.nearest(group_);
             if (!estimate || steps > most_walk_steps) {
-                throw error(error_kind::undecided, "problem", "", "shows no singularity where one was seen");
+                throw error(error_kind::undecided, error_subject::problem, "",
+                            "shows no singularity where one was seen");
             }
             const double away = rounded_size(estimate->distance);
             const mpfr uncertainty = mpfr(away) * mpfr(estimate->agreement);
@@ -212,7 +213,8 @@ private:
             }
         }
         if (!most) {
-            throw error(error_kind::undecided, "problem", "", "has a singularity whose exponents do not settle");
+            throw error(error_kind::undecided, error_subject::problem, "",
+                        "has a singularity whose exponents do not settle");
         }
         found.unknown = *most;
         found.exponent = found.exponents[*most];

@@ -16,7 +16,7 @@ std::string_view problem_text(std::string_view name) {
         std::vector<std::string> names;
         std::ranges::transform(catalogue(), std::back_inserter(names),
                                [](const catalogue_entry& each) { return std::string(each.name); });
-        throw error(error_kind::argument, "problem", std::string(name),
+        throw error(error_kind::argument, error_subject::problem, std::string(name),
                     "is not in the catalogue" + suggestion(name, names) +
                         ": `libration problems` lists it; a file contains / or ends in .ode, a text contains =");
     }

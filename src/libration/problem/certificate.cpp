@@ -16,7 +16,7 @@ constexpr long most_zeros = 100'000;
 rational fraction_of(const exact& time) {
     const auto q = time.has_periods() ? std::nullopt : as_exact_real(time).fraction();
     if (!q) {
-        throw error(error_kind::argument, "certificate", "",
+        throw error(error_kind::argument, error_subject::certificate, "",
                     "is for times that are fractions, and " + time.text + " is not one: choose fractions as times");
     }
     return *q;
@@ -39,7 +39,7 @@ std::vector<ode::decimal_interval> all_zeros(const ode::explicit_system& system,
     std::vector<ode::decimal_interval> zeros;
     for (const ode::known_event& each : report.events) {
         if (!each.time.decimal) {
-            throw error(error_kind::undecided, "certificate", "",
+            throw error(error_kind::undecided, error_subject::certificate, "",
                         "does not contain an event at a time that is not distinguished from 0");
         }
         zeros.push_back(ode::within_one_unit(each.time.decimal->text, digits));
@@ -52,7 +52,7 @@ std::size_t place_of(const std::vector<ode::decimal_interval>& zeros, const ode:
     const auto found = std::ranges::find_if(
         zeros, [&](const ode::decimal_interval& each) { return each.low <= printed.high && printed.low <= each.high; });
     if (found == zeros.end()) {
-        throw error(error_kind::undecided, "certificate", printed.lower,
+        throw error(error_kind::undecided, error_subject::certificate, printed.lower,
                     "is near an event that a second search does not find: ask for more digits");
     }
     return static_cast<std::size_t>(found - zeros.begin());

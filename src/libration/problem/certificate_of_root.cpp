@@ -16,7 +16,7 @@ namespace libration {
 namespace {
 
 [[noreturn]] void refuse_root(const std::string& reason) {
-    throw error(error_kind::argument, "certificate", "", reason + ": leave the certificate out");
+    throw error(error_kind::argument, error_subject::certificate, "", reason + ": leave the certificate out");
 }
 
 std::size_t place_in_state(const ode::explicit_system& system, const std::string& name) {

@@ -33,7 +33,7 @@ const rational next_width(1, 100);
 constexpr int most_widths = 12;
 
 [[noreturn]] void refuse_undecided(const std::string& reason) {
-    throw error(error_kind::undecided, "certificate", "", reason);
+    throw error(error_kind::undecided, error_subject::certificate, "", reason);
 }
 
 ball hull_of(const ode::decimal_interval& of) {

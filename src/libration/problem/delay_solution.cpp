@@ -19,7 +19,7 @@ constexpr const char* not_with_delays = "is not supported for a problem with del
 
 // For what the solution does not answer.
 [[noreturn]] void refuse_question() {
-    throw error(error_kind::argument, "problem", "",
+    throw error(error_kind::argument, error_subject::problem, "",
                 "has delays, for which only values at times and events are supported: use reference or trajectory");
 }
 
@@ -30,7 +30,7 @@ delay_solution::delay_solution(const ode::equation_system& equations)
 
 answer delay_solution::states(const std::vector<exact>& times, const request& how) const {
     if (!how.derivatives.empty()) {
-        throw error(error_kind::argument, "derivatives", how.derivatives.front(),
+        throw error(error_kind::argument, error_subject::derivatives, how.derivatives.front(),
                     std::string(not_with_delays) + ": leave it out");
     }
     require_plain_states(how, not_with_delays);
@@ -80,12 +80,13 @@ answer delay_solution::rounded_states(const std::vector<ode::number>& times, con
 }
 
 answer delay_solution::states_along(const complex_path_request& /*along*/, const request& /*how*/) const {
-    throw error(error_kind::argument, "point", "of the complex plane",
+    throw error(error_kind::argument, error_subject::point, "of the complex plane",
                 std::string(not_with_delays) + ": use real times");
 }
 
 answer delay_solution::limits(const request& /*how*/) const {
-    throw error(error_kind::argument, "time", "inf", std::string(not_with_delays) + ": choose finite times");
+    throw error(error_kind::argument, error_subject::time, "inf",
+                std::string(not_with_delays) + ": choose finite times");
 }
 
 answer delay_solution::events(const std::string& condition, long count, const request& how) const {
@@ -95,7 +96,7 @@ answer delay_solution::events(const std::string& condition, long count, const re
 
 void delay_solution::require_point(const std::string& about) const {
     if (!about.empty()) {
-        throw error(error_kind::argument, "point", about, std::string(not_with_delays) + ": leave it out");
+        throw error(error_kind::argument, error_subject::point, about, std::string(not_with_delays) + ": leave it out");
     }
 }
 

@@ -32,11 +32,11 @@ ode::march_watch watch_of(const request& how) {
 
 // An error about the problem becomes one about the conditions or the unknowns, which caused it.
 template <class Work>
-auto about(const char* subject, const Work& work) {
+auto about(error_subject subject, const Work& work) {
     try {
         return work();
     } catch (const error& problem) {
-        if (problem.kind() != error_kind::argument || problem.subject() != "problem") {
+        if (problem.kind() != error_kind::argument || !problem.is_about(error_subject::problem)) {
             throw;
         }
         throw error(problem.kind(), subject, problem.value(), problem.reason());
@@ -64,14 +64,14 @@ answer found_by(const request& how, const Find& find) {
 
 found_values found_for_infinity(const problem& of, const std::vector<std::string>& unknowns,
                                 const std::string& condition, long digits) {
-    return {unknowns,
-            about("conditions", [&] { return proved_for_infinity(of.equations(), unknowns, condition, digits); })};
+    return {unknowns, about(error_subject::conditions,
+                            [&] { return proved_for_infinity(of.equations(), unknowns, condition, digits); })};
 }
 
 void require_distinct(const std::vector<std::string>& unknowns) {
     for (auto each = unknowns.begin(); each != unknowns.end(); ++each) {
         if (std::find(unknowns.begin(), each, *each) != each) {
-            throw error(error_kind::argument, "unknowns", *each, "is given twice: give it once");
+            throw error(error_kind::argument, error_subject::unknowns, *each, "is given twice: give it once");
         }
     }
 }
@@ -79,7 +79,7 @@ void require_distinct(const std::vector<std::string>& unknowns) {
 ode::conditions_at_times read_conditions(const problem& of, const std::vector<std::string>& conditions) {
     ode::conditions_at_times all;
     for (const std::string& each : conditions) {
-        about("conditions", [&] { ode::add_condition(all, of.equations(), each); });
+        about(error_subject::conditions, [&] { ode::add_condition(all, of.equations(), each); });
     }
     return all;
 }
@@ -171,12 +171,13 @@ answer find_branch(const problem& of, const std::vector<std::string>& unknowns,
     require_distinct(names);
     require_as_many(conditions, unknowns);
     if (!along.values.empty()) {
-        about("along", [&] { return ode::changed(of.equations(), along.parameter + " = " + along.values.front()); });
+        about(error_subject::along,
+              [&] { return ode::changed(of.equations(), along.parameter + " = " + along.values.front()); });
     }
     ode::branch_question question{of.equations(),  unknowns,     read_conditions(of, conditions),
                                   along.parameter, along.values, how.printed_digits()};
     const auto checked = checked_products(how.check);
-    answer found = about("unknowns", [&] { return branch_by(question, how, {}); });
+    answer found = about(error_subject::unknowns, [&] { return branch_by(question, how, {}); });
     if (how.check && !found.missing) {
         question.digits += ode::more_digits_of_second_proof;
         require_same_points(found, branch_by(question, how, ode::proof_route::second()));
@@ -190,11 +191,11 @@ answer find_unknowns(const problem& of, const std::vector<std::string>& unknowns
     const auto at_infinity = std::ranges::find_if(conditions, is_at_infinity);
     if (at_infinity != conditions.end()) {
         if (conditions.size() > 1) {
-            throw error(error_kind::argument, "condition", *at_infinity,
+            throw error(error_kind::argument, error_subject::condition, *at_infinity,
                         "is at infinity, which is decided alone: give it without the others");
         }
         if (how.check) {
-            throw error(error_kind::argument, "check", "",
+            throw error(error_kind::argument, error_subject::check, "",
                         "compares two proofs, and a condition at infinity has only one, by a lemma");
         }
         return found_by(how, [&](long digits, const ode::proof_route& /*route*/) {
@@ -204,7 +205,7 @@ answer find_unknowns(const problem& of, const std::vector<std::string>& unknowns
     require_as_many(conditions, unknowns);
     const auto read = read_conditions(of, conditions);
     return found_by(how, [&](long digits, const ode::proof_route& route) {
-        return found_values{unknowns, about("unknowns", [&] {
+        return found_values{unknowns, about(error_subject::unknowns, [&] {
                                 return ode::proved_unknowns(of.equations(), unknowns, read, digits, route,
                                                             watch_of(how));
                             })};

@@ -96,11 +96,12 @@ answer hybrid_solution::rounded_states(const std::vector<ode::number>& times, co
 }
 
 answer hybrid_solution::states_along(const complex_path_request& /*along*/, const request& /*how*/) const {
-    throw error(error_kind::argument, "point", "of the complex plane", std::string(unsupported) + ": use real times");
+    throw error(error_kind::argument, error_subject::point, "of the complex plane",
+                std::string(unsupported) + ": use real times");
 }
 
 answer hybrid_solution::limits(const request& /*how*/) const {
-    throw error(error_kind::undecided, "time", "inf", unsupported);
+    throw error(error_kind::undecided, error_subject::time, "inf", unsupported);
 }
 
 answer hybrid_solution::events(const std::string& condition, long count, const request& how) const {
@@ -121,7 +122,7 @@ answer of_first_branch(answer found) {
 
 void hybrid_solution::require_point(const std::string& about) const {
     if (!about.empty()) {
-        throw error(error_kind::argument, "point", about,
+        throw error(error_kind::argument, error_subject::point, about,
                     std::string(unsupported) + ": leave it out for the initial point");
     }
 }

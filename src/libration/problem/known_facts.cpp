@@ -96,13 +96,13 @@ std::vector<proved_decimal> proved_for_infinity(const ode::equation_system& syst
     const bool about = facts != nullptr && facts->condition && determines(*facts->condition, unknowns);
     const auto limit = about ? right_side(condition, facts->condition->of) : std::nullopt;
     if (!limit) {
-        throw error(error_kind::undecided, "condition", condition,
+        throw error(error_kind::undecided, error_subject::condition, condition,
                     "is at infinity, and no lemma is available for this problem; the catalogue has lemmas for " +
                         conditions_in_words());
     }
     const condition_at_infinity& known = *facts->condition;
     if (!known.holds(*limit)) {
-        throw error(error_kind::argument, "condition", condition,
+        throw error(error_kind::argument, error_subject::condition, condition,
                     "is not a condition for which " + facts->problem + " has a lemma: give the value " + known.limits);
     }
     const auto all = known.values(system, *limit, digits);
@@ -134,7 +134,7 @@ far_behaviour far_behaviour_of(const std::string& problem, const ode::equation_s
                                const std::string& free) {
     const known_facts* const facts = known_facts_of(problem);
     if (facts == nullptr || !facts->far) {
-        throw error(error_kind::argument, "problem", problem, "has no known asymptotic behaviour");
+        throw error(error_kind::argument, error_subject::problem, problem, "has no known asymptotic behaviour");
     }
     const precision_scope scope(2 * digits + 20);
     return facts->far(given, digits, free);

@@ -73,7 +73,7 @@ inline ode::partial_trajectory in_columns(ode::partial_derivatives found, std::s
 /// Throws error for derivatives of values that are not proved.
 inline void require_proof_of_derivatives(const request& how) {
     if (!how.derivatives.empty() && how.scalar.kind != scalar_kind::proved) {
-        throw error(error_kind::argument, "derivatives", how.derivatives.front(),
+        throw error(error_kind::argument, error_subject::derivatives, how.derivatives.front(),
                     "is for proved digits, and these are rounded: use the scalar ball:D");
     }
 }
@@ -81,7 +81,8 @@ inline void require_proof_of_derivatives(const request& how) {
 /// Throws error for collocation and an observer of steps, with the reason `unsupported`.
 inline void require_plain_states(const request& how, const std::string& unsupported) {
     if (how.integrator == ode::integrator_choice::collocation) {
-        throw error(error_kind::argument, "integrator", "collocation", unsupported + ": use automatic or taylor");
+        throw error(error_kind::argument, error_subject::integrator, "collocation",
+                    unsupported + ": use automatic or taylor");
     }
     if (how.observer) {
         throw error(error_kind::argument, "observer", "of steps", unsupported + ": leave it out");

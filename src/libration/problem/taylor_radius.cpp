@@ -78,7 +78,7 @@ std::string words_of_evidence(const ode::explicit_system& system, const ode::pro
 
 answer taylor_solution::proved_radius(const series_request& of, const request& how) const {
     if (!of.about.empty()) {
-        throw error(error_kind::argument, "point", of.about,
+        throw error(error_kind::argument, error_subject::point, of.about,
                     "is not the initial point, the only one for which the radius of these equations is bounded");
     }
     const auto checked = checked_products(how.check);

@@ -73,7 +73,7 @@ ode::complex_constant point_in(const std::string& text) {
     try {
         return ode::parse_complex_constant(text);
     } catch (const error& problem) {
-        throw error(problem.kind(), "point", text, problem.reason());
+        throw error(problem.kind(), error_subject::point, text, problem.reason());
     }
 }
 
@@ -89,7 +89,8 @@ ode::coefficient_request taylor_solution::coefficients_of(const series_request& 
         request.at = point_in(of.about);
     }
     if (!of.corners.empty() && of.about.empty()) {
-        throw error(error_kind::argument, "point", "", "is not given, and there are corners of a path to it");
+        throw error(error_kind::argument, error_subject::point, "",
+                    "is not given, and there are corners of a path to it");
     }
     request.corners = of.corners;
     return request;

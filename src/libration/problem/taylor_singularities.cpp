@@ -213,7 +213,7 @@ answer taylor_solution::singularities(const std::optional<double>& within, const
     const bool none_found = map.all.empty() && !map.entire && !map.ended;
     const std::string searched = short_text(map.within, digits_of_distance);
     if (none_found && !within) {
-        throw error(error_kind::undecided, "solution", "",
+        throw error(error_kind::undecided, error_subject::solution, "",
                     "has no known singularity within " + searched +
                         " of its initial point, which does not prove that there is none");
     }
@@ -240,7 +240,7 @@ answer taylor_solution::singularities(const std::optional<double>& within, const
             undecided_in([&] { require_second_discs(system_, within, digits, map, proofs, work.watch()); });
     }
     if (refused != 0 && !map.ended) {
-        result.missing = error(error_kind::undecided, "proof", "",
+        result.missing = error(error_kind::undecided, error_subject::proof, "",
                                "leaves " + std::to_string(refused) + " of " + std::to_string(map.all.size()) +
                                    " singularities unproved: their rows are heuristic and give the reason");
     }

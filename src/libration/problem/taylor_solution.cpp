@@ -81,7 +81,7 @@ std::vector<answer_value> rounded_row(const ode::explicit_system& system, const 
 
 ode::number time_of_problem(const exact& time) {
     if (time.has_periods()) {
-        throw error(error_kind::argument, "time", time.text,
+        throw error(error_kind::argument, error_subject::time, time.text,
                     "is a multiple of a period, which a problem does not have");
     }
     return as_exact_real(time);

@@ -9,11 +9,11 @@ namespace libration::ode {
 event_report searched_delay_events(const delay_system& system, const event_request& request, long digits,
                                    const event_watch& watch) {
     if (request.direction < 0) {
-        throw error(error_kind::argument, "time", text_of_time(*request.before),
+        throw error(error_kind::argument, error_subject::time, text_of_time(*request.before),
                     "is before the initial point, where the solution is the history: choose a time after it");
     }
     if (system.is_neutral()) {
-        throw error(error_kind::argument, "problem", "",
+        throw error(error_kind::argument, error_subject::problem, "",
                     "is not supported with a delayed highest derivative, where slopes jump: choose times");
     }
     const explicit_system first = system.first_equations();  // up to the first breaking point

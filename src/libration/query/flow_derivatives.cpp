@@ -134,7 +134,7 @@ private:
                 const auto undecided = std::ranges::find_if(row, [](const auto& each) { return !each.decimal; });
                 if (undecided != row.end()) {
                     result_.trajectory.missing =
-                        error(error_kind::undecided, "time", text_of_time(times_[time]),
+                        error(error_kind::undecided, error_subject::time, text_of_time(times_[time]),
                               "has a derivative of " + flow_.names()[k] + " by " +
                                   numbers_[static_cast<std::size_t>(undecided - row.begin())] +
                                   " that is not distinguished from 0: its size is below " + undecided->bound);
@@ -179,7 +179,7 @@ opened_flow::opened_flow(const equation_system& given, const std::vector<std::st
 state_derivatives opened_flow::at(proved_march& march, const number& time) const {
     const ball t = constant_value<ball>::of(time);
     if (open_.system.singular() && contains_zero(t - constant_value<ball>::of(open_.system.point()))) {
-        throw error(error_kind::undecided, "time", "",
+        throw error(error_kind::undecided, error_subject::time, "",
                     "is a singular initial point, where derivatives by initial values and parameters are not proved: "
                     "choose times after it");
     }

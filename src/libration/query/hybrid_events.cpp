@@ -28,7 +28,7 @@ event_report searched_hybrid_events(const hybrid_system& system, const event_req
                                     const proof_route& route, const event_watch& watch) {
     if (route.integrator == integrator_choice::collocation) {
         throw error(
-            error_kind::argument, "integrator", "collocation",
+            error_kind::argument, error_subject::integrator, "collocation",
             "is not supported for a problem with events or a piecewise right-hand side: use automatic or taylor");
     }
     if (request.direction < 0 || request.from_start) {

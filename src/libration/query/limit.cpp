@@ -22,7 +22,7 @@ constexpr long first_bits_of_states = 128;
 // Solutions that approach an equilibrium do not lose bits for long.
 constexpr long most_bits_of_states = 256;
 
-error no_limit(const std::string& what) { return {error_kind::undecided, "time", "inf", what}; }
+error no_limit(const std::string& what) { return {error_kind::undecided, error_subject::time, "inf", what}; }
 
 // Throws error unless the proof ended for lack of precision.
 void require_precision_alone(const proved_march& march) {

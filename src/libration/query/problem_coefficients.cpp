@@ -112,7 +112,7 @@ std::vector<wide_t<ball>> proved_about_time(const coefficient_request& request, 
         throw precision_exhausted("the path to the point");
     }
     if (!values) {
-        throw error(error_kind::undecided, "point", "",
+        throw error(error_kind::undecided, error_subject::point, "",
                     "is not reached: the steps become too small before it, as they do near a singularity");
     }
     solution_state<ball> state;
@@ -248,7 +248,7 @@ coefficient_list<mpfr> rounded_coefficients(const scalar_spec& scalar, const coe
 coefficient_list<proved_decimal> proved_coefficients(const coefficient_request& request, long digits,
                                                      const proof_route& route) {
     if (request.complex()) {
-        throw error(error_kind::argument, "point", "", "is complex, and no way to it is proved");
+        throw error(error_kind::argument, error_subject::point, "", "is complex, and no way to it is proved");
     }
     if (!request.about_start()) {
         return {proved_decimals(digits, [&] { return proved_about_time(request, request.at->re, route); }), false, 1};
@@ -262,7 +262,7 @@ coefficient_list<proved_decimal> proved_coefficients(const coefficient_request& 
 
 coefficient_list<rational> exact_coefficients(const coefficient_request& request) {
     if (!request.about_start()) {
-        throw error(error_kind::argument, "point", "",
+        throw error(error_kind::argument, error_subject::point, "",
                     "is not a point for fractions, which a solution has only at its initial point");
     }
     const tape made = tape::about_start(request.system);

@@ -130,7 +130,7 @@ public:
 
     /// Throws the error for a time that most_steps steps do not reach.
     [[noreturn]] void throw_not_reached(const T& t) const {
-        throw error(error_kind::argument, "time", to_decimal(t, 10),
+        throw error(error_kind::argument, error_subject::time, to_decimal(t, 10),
                     "is not reached: the steps become too small near " + to_decimal(centre_, 10) +
                         ", where a singularity is close");
     }
@@ -290,7 +290,7 @@ partial_states<T> states_by(March& march, const explicit_system& system, const s
         try {
             result.states[i] = march.advance_to(at[i]);
         } catch (const error& problem) {
-            if (problem.subject() != "time") {
+            if (!problem.is_about(error_subject::time)) {
                 throw;
             }
             ended_here = true;

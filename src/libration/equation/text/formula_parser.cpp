@@ -81,14 +81,15 @@ private:
         try {
             return operation();
         } catch (const error& problem) {
-            if (problem.subject() == "problem") {
+            if (problem.is_about(error_subject::problem)) {
                 throw;
             }
-            const std::string subject = problem.subject() == "number" ? "" : problem.subject() + " ";
-            throw error(problem.kind(), "problem", beginning_of(whole(words_)),
+            const bool of_number = problem.is_about(error_subject::number);
+            const std::string subject = of_number ? "" : problem.subject() + " ";
+            throw error(problem.kind(), error_subject::problem, beginning_of(whole(words_)),
                         "at line " + std::to_string(at.line) + ", column " + std::to_string(at.column) + " " +
                             (subject.empty() ? "" : "has an " + subject + "that ") + problem.reason() +
-                            (problem.subject() == "number" ? ": choose another number" : ""));
+                            (of_number ? ": choose another number" : ""));
         }
     }
 

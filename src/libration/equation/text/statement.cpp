@@ -136,7 +136,7 @@ private:
             made.kind = token_kind::numeral;
             made.value = number->value();
         } catch (const error& problem) {
-            if (problem.subject() != "number") {
+            if (!problem.is_about(error_subject::number)) {
                 throw;
             }
             refuse(std::string(rest_.substr(0, 20)), at_, problem.reason() + ": choose another number");

@@ -55,7 +55,7 @@ struct stiff_march<T>::parts {
         tolerance = step_tolerance::of<T>();
         possible = count * (static_cast<std::size_t>(tolerance.degree) + 1) <= most_equations;
         if (choice == integrator_choice::collocation && !possible) {
-            throw error(error_kind::argument, "integrator", "collocation",
+            throw error(error_kind::argument, error_subject::integrator, "collocation",
                         "is limited to " +
                             std::to_string(most_equations / (static_cast<std::size_t>(tolerance.degree) + 1)) +
                             " unknowns in this precision, and these equations have " + std::to_string(count) +

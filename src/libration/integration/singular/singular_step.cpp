@@ -20,7 +20,7 @@ constexpr long bits_a_power = 3;
 constexpr int more_powers = 24;
 
 [[noreturn]] void refuse_start(const std::string& why) {
-    throw error(error_kind::argument, "problem", "", "has a singular initial point " + why);
+    throw error(error_kind::argument, error_subject::problem, "", "has a singular initial point " + why);
 }
 
 void require_polynomials(const tape& of) {
@@ -217,7 +217,7 @@ ball_matrix derivative_beyond_start(const explicit_system& system, const ball& d
         for (std::size_t l = 0; l < system.starts()[k].size(); ++l) {
             const auto column = varied_state(system, k, l, distance, bits, route);
             if (!column && system.starts()[k][l].sign() != 0) {
-                throw error(error_kind::undecided, "problem", "",
+                throw error(error_kind::undecided, error_subject::problem, "",
                             "fixes " + primed(system.unknowns()[k].name, static_cast<int>(l)) +
                                 " at its singular initial point, so that the dependence on it cannot be proved");
             }

@@ -321,7 +321,7 @@ void batch_march::run_alone(const batch_request& request, std::span<double> valu
                     reached.insert(reached.end(), of_unknown.begin(), of_unknown.end());
                 }
             } catch (const error& problem) {
-                if (problem.subject() != "time") {
+                if (!problem.is_about(error_subject::time)) {
                     throw;
                 }
             }

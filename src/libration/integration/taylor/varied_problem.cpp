@@ -10,7 +10,7 @@ namespace libration::ode {
 varied_problem::varied_problem(const equation_system& given, const std::vector<std::string>& names)
     : open_(opened(given, names)) {
     if (open_.system.singular()) {
-        throw error(error_kind::argument, "problem", "",
+        throw error(error_kind::argument, error_subject::problem, "",
                     "has a singular initial point, from which its values cannot vary: begin at another time");
     }
     const std::vector<std::string> own = given.unknowns();

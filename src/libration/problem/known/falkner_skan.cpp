@@ -60,7 +60,7 @@ far_behaviour far_from_falkner_skan(const equation_system& given, const std::str
 void require_accelerated(const equation_system& system) {
     const auto* const b = system.parameter_of("b");
     if (b != nullptr && ode::number_with_values(b->value, system).sign() <= 0) {
-        throw error(error_kind::undecided, "problem", "falkner_skan",
+        throw error(error_kind::undecided, error_subject::problem, "falkner_skan",
                     "has a lemma for its condition at infinity only for b > 0");
     }
 }

@@ -58,7 +58,7 @@ mpfr meet(const equation_system& given, const std::string& free, const far_condi
             return value;
         }
     }
-    throw error(error_kind::argument, "start", to_decimal(value, 10),
+    throw error(error_kind::argument, error_subject::start, to_decimal(value, 10),
                 "does not reach the asymptotic regime: give a better initial guess of " + free);
 }
 
@@ -79,7 +79,8 @@ found_start reach(const equation_system& given, const std::string& free, const f
             return {std::move(system), value, distance, std::move(state)};
         }
     }
-    throw error(error_kind::argument, "start", to_decimal(value, 10), "does not reach its asymptotic behaviour");
+    throw error(error_kind::argument, error_subject::start, to_decimal(value, 10),
+                "does not reach its asymptotic behaviour");
 }
 
 // a/r ln(S/S0) + S0 + rest - S = 0 below a/r: concave and increasing, and negative at S0 e^(-r (S0 + rest)/a), so that

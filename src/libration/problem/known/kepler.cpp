@@ -65,7 +65,7 @@ kepler_row kepler_solution::row_at(const exact& time, long digits) const {
                     const std::string bound = bound_text(values[i]);
                     row.values.push_back({"", bound});
                     row.missing =
-                        error(error_kind::undecided, "time", time.text,
+                        error(error_kind::undecided, error_subject::time, time.text,
                               "has a value of " + quantities()[i] + " that " + std::to_string(digits + run.more) +
                                   " digits do not distinguish from 0: |" + quantities()[i] + "| < " + bound);
                 } else {

@@ -192,7 +192,7 @@ answer pendulum_solution::states(const std::vector<exact>& times, const request&
             return row;
         } catch (const error& problem) {
             if (problem.kind() == error_kind::range) {
-                throw error(error_kind::range, "time", time.text,
+                throw error(error_kind::range, error_subject::time, time.text,
                             "has an angular velocity that is too small to be printed");
             }
             throw;
@@ -247,7 +247,7 @@ pendulum::expansion_point pendulum_solution::point_of(const std::string& about) 
     }
     const auto time = real_time(about);
     if (!time) {
-        throw error(error_kind::argument, "point", about,
+        throw error(error_kind::argument, error_subject::point, about,
                     "is not real, and the closed form of the pendulum is for real times: write a real time");
     }
     return {pendulum::expansion_point::place::time, since_start(*time)};

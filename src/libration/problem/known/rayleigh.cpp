@@ -19,7 +19,7 @@ mpfr gamma_of(const mpfr& x) {
 far_behaviour far_from_rayleigh(const equation_system& given) {
     const explicit_system system(given);
     if (far::start_of(system, 0, 1) != 0) {
-        throw error(error_kind::argument, "start", "",
+        throw error(error_kind::argument, error_subject::start, "",
                     "of rayleigh is not at rest, and its collapse is known only from rest");
     }
     const mpfr end = far::start_of(system, 0, 0) * sqrt(mpfr(pi<mpfr>() / 6)) * gamma_of(mpfr(mpfr(5) / 6)) /

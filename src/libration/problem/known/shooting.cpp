@@ -54,7 +54,7 @@ mpfr missed(const equation_system& system, const std::string& name, const mpfr& 
 mpfr shot(const equation_system& given, const std::string& name, int target, const std::function<int(long)>& time) {
     const definition* const guess = given.parameter_of(name);
     if (guess == nullptr) {
-        throw error(error_kind::argument, "problem", "", "has no parameter " + name);
+        throw error(error_kind::argument, error_subject::problem, "", "has no parameter " + name);
     }
     const number start = number_with_values(guess->value, given);
     mpfr value = constant_value<mpfr>::of(start);
@@ -81,7 +81,7 @@ mpfr shot(const equation_system& given, const std::string& name, int target, con
         value = other;
         offset = abs(mpfr(value - before)) + ldexp(abs(value), static_cast<int>(8 - bits));  // the next one is smaller
         if (mpfr_number_p(handle(value)) == 0) {
-            throw error(error_kind::undecided, "problem", "",
+            throw error(error_kind::undecided, error_subject::problem, "",
                         "has a condition at infinity that is not met from this guess");
         }
     }

@@ -156,7 +156,7 @@ std::size_t longest_integer(const std::string& text) {
 }  // namespace
 
 void refuse_certificate(const std::string& what, const std::string& remedy) {
-    throw error(error_kind::argument, "certificate", "", what + ": " + remedy);
+    throw error(error_kind::argument, error_subject::certificate, "", what + ": " + remedy);
 }
 
 void require_at_most(std::size_t count, std::size_t most, const std::string& what) {

@@ -28,7 +28,7 @@ constexpr double doubtful = 4;
 
 [[noreturn]] void refuse_steps(double expected, const rational& time) {
     const precision_scope scope(20);
-    throw error(error_kind::argument, "certificate", "",
+    throw error(error_kind::argument, error_subject::certificate, "",
                 "contains at most " + std::to_string(most_certified_steps) + " steps, and to time " +
                     to_finite_decimal(time).value_or(time.str()) + " there would be about " +
                     to_decimal(mpfr(expected), 2) +

@@ -254,7 +254,7 @@ possible_counts event_counts(const equation_system& given, const event_count_req
                              const proof_route& route) {
     const set_problem problem(given, asked.condition);
     if ((asked.before - problem.system().point()).sign() == 0) {
-        throw error(error_kind::argument, "before", text_of_time(asked.before),
+        throw error(error_kind::argument, error_subject::before, text_of_time(asked.before),
                     "is the initial point: give a later or an earlier time");
     }
     const long bits = bits_of_sets(problem, asked.digits);

@@ -63,7 +63,7 @@ set_start event_question::start_from(const number_box& box) const {
     start.at_zero = arb_is_zero(value.handle()) != 0;
     start.sign = known_sign(start.at_zero ? values.of(slope_) : value);
     if (start.sign == 0) {
-        throw error(error_kind::undecided, "condition", "",
+        throw error(error_kind::undecided, error_subject::condition, "",
                     start.at_zero ? "holds at the initial point, and its two sides may touch there"
                                   : "may hold at the initial point of some of the solutions");
     }

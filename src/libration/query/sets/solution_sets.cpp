@@ -32,7 +32,7 @@ error end_of(const subdivision& box, const set_problem& of, const time_span& mis
                    : first.may_divide ? ": choose narrower intervals or more parts"
                                       : ": choose narrower intervals");
     }
-    return {error_kind::undecided, "time", text_of_time(time), reason};
+    return {error_kind::undecided, error_subject::time, text_of_time(time), reason};
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ private:
         const ball guess = constant_value<ball>::of(guessed_);
         if (certainly_less(period * 2, guess) || certainly_less(guess * 2, period)) {
             throw error(
-                error_kind::undecided, "solution", "",
+                error_kind::undecided, error_subject::solution, "",
                 "was not found: Newton's method left the neighbourhood of the closest return, from the period " +
                     to_decimal(midpoint_of(guess), 6) + " to " + to_decimal(midpoint_of(period), 6) +
                     ": choose an initial point nearer to a periodic orbit");
@@ -93,7 +93,7 @@ std::size_t fastest(const first_order_form& form) {
         }
     }
     if (most.is_zero()) {
-        throw error(error_kind::argument, "problem", "",
+        throw error(error_kind::argument, error_subject::problem, "",
                     "is at rest at the initial point, where there is no periodic orbit: choose another initial point");
     }
     return best;
@@ -144,7 +144,7 @@ number guessed_period(const explicit_system& system, const first_order_form& for
         }
     }
     if (!period) {
-        throw error(error_kind::undecided, "solution", "", reason_of(search));
+        throw error(error_kind::undecided, error_subject::solution, "", reason_of(search));
     }
     const ball gone = *period - constant_value<ball>::of(system.point());
     rational result;
@@ -173,7 +173,7 @@ bool is_in_potential(const explicit_system& system) {
 // A conserved quantity I satisfies I(x + F) = I(x): where F = 0, grad I dF/dx = 0, so that no periodic orbit is isolated.
 [[noreturn]] void refuse_family(const explicit_system& system, const std::string& reason) {
     const std::string x = system.unknowns().front().name;
-    throw error(error_kind::undecided, "solution", "",
+    throw error(error_kind::undecided, error_subject::solution, "",
                 reason +
                     ", so that periodic orbits come in families, one for each energy or period; without --periodic, "
                     "one of them is determined by its half period T or its energy, if " +
@@ -187,7 +187,7 @@ std::vector<proved_decimal> orbit_or_family(const explicit_system& system, const
     try {
         return find();
     } catch (const error& problem) {
-        if (problem.kind() != error_kind::undecided || problem.subject() != "solution" || system.invariants().empty()) {
+        if (problem.kind() != error_kind::undecided || !problem.is_about_solution() || system.invariants().empty()) {
             throw;
         }
         refuse_family(system, "was not found to be isolated: the problem declares that its invariant is conserved");
@@ -206,7 +206,7 @@ periodic_orbit proved_periodic_orbit(const explicit_system& system, long digits,
     const first_order_form form(system);
     for (const expression& each : form.slopes) {
         if (each.has_variable()) {
-            throw error(error_kind::argument, "problem", system.variable(),
+            throw error(error_kind::argument, error_subject::problem, system.variable(),
                         "occurs in the equation: periodic orbits require an autonomous system");
         }
     }

@@ -20,7 +20,8 @@ std::vector<expression> expressions_in(const conditions_at_times& conditions) {
 
 std::vector<std::string> unknowns_of_values(const conditions_at_times& conditions) {
     if (conditions.values().empty()) {
-        throw error(error_kind::argument, "conditions", "", "contain no value of an unknown: add one, as y(1) = 0");
+        throw error(error_kind::argument, error_subject::conditions, "",
+                    "contain no value of an unknown: add one, as y(1) = 0");
     }
     std::vector<std::string> names;
     for (const value_at_time& each : conditions.values()) {

@@ -58,7 +58,7 @@ std::vector<branch_value> read_values(const branch_question& question) {
                          }) == values.end();
     if (values.size() < 2 || !ordered) {
         throw error(
-            error_kind::argument, "along", question.parameter,
+            error_kind::argument, error_subject::along, question.parameter,
             "has not at least two values in one direction: write " + question.parameter + " = first:last:count");
     }
     return values;
@@ -152,7 +152,7 @@ private:
         z.push_back(values_.front().about);
         auto node = path_.begin(z, values_.back().about - values_.front().about);
         if (!node) {
-            throw error(error_kind::undecided, "solution", "",
+            throw error(error_kind::undecided, error_subject::solution, "",
                         "at the first value has no direction: begin at another value of " + question_.parameter);
         }
         return *std::move(node);
@@ -274,12 +274,13 @@ private:
             distance.push_back(found[i] - guess[i]);
         }
         if (weighted_length(at.weights, distance) > step) {
-            throw error(error_kind::undecided, "solution", "", "is on another branch than the first guess");
+            throw error(error_kind::undecided, error_subject::solution, "",
+                        "is on another branch than the first guess");
         }
     }
 
     static void keep_reason(const error& problem, const std::string& point, branch_result& result) {
-        if (problem.kind() != error_kind::undecided || problem.subject() != "solution") {
+        if (problem.kind() != error_kind::undecided || !problem.is_about_solution()) {
             throw error(problem);
         }
         result.unproved.push_back(point + ": the solution " + problem.reason());
