@@ -16,6 +16,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "libration/digits/memory_need.hpp"
@@ -153,6 +154,30 @@ int complain_of_range(const CLI::App& command, const libration::error& problem) 
                     bad_input);
 }
 
+// An error about what an option of the command gives, with the name of the option. A problem that is valid, but not
+// decided, is named as it is.
+libration::error with_option(const libration::error& problem, const CLI::App& command) {
+    using libration::error_subject;
+    static const std::vector<std::pair<error_subject, const char*>> options{
+        {error_subject::along, "--along"},
+        {error_subject::before, "--before"},
+        {error_subject::check, "--check"},
+        {error_subject::condition, "--such-that"},
+        {error_subject::condition, "--until"},
+        {error_subject::conditions, "--such-that"},
+        {error_subject::derivatives, "--derivatives"},
+        {error_subject::integrator, "--integrator"},
+        {error_subject::problem, "--problem"},
+        {error_subject::unknowns, "--unknown"}};
+    const bool named = !problem.is_about(error_subject::problem) || problem.kind() == libration::error_kind::argument;
+    for (const auto& [subject, option] : options) {
+        if (named && problem.is_about(subject) && command.get_option_no_throw(option) != nullptr) {
+            return {problem.kind(), option, problem.value(), problem.reason()};
+        }
+    }
+    return problem;
+}
+
 int complain_of_input(const libration::input_error& problem) {
     const auto offered = libration::words_offered(problem.remedy());
     return complain(problem.line_with(libration::suggestion(problem.value(), offered)), bad_input);
@@ -168,7 +193,7 @@ int run(const libration::subcommand& command) {
     } catch (const libration::error& problem) {
         return problem.kind() == libration::error_kind::range
                    ? complain_of_range(*command.options, problem)
-                   : complain(libration::message_of(problem),
+                   : complain(libration::message_of(with_option(problem, *command.options)),
                               libration::is_undefined(problem.kind()) ? bad_input : failed);
     } catch (const libration::memory_shortage& problem) {
         return complain(problem.what(), failed);

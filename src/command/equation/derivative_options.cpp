@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "libration/scalar/list_items.hpp"
+#include "text/input_error.hpp"
 
 namespace libration {
 

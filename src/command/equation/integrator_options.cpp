@@ -12,6 +12,7 @@
 
 #include "libration/scalar/near_word.hpp"
 #include "run/ending_signal.hpp"
+#include "text/input_error.hpp"
 
 namespace libration {
 

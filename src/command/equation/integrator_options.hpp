@@ -8,8 +8,6 @@
 #include <vector>
 
 #include "libration/integration/integrator.hpp"
-#include "libration/scalar/error.hpp"
-#include "text/input_error.hpp"
 
 namespace libration {
 
@@ -24,18 +22,6 @@ public:
     /// A line on stderr for each use of collocation, or that no step of it was proved, or found in rounded arithmetic,
     /// although it is chosen.
     void state(const std::vector<ode::collocation_use>& used, bool proved = true) const;
-    /// read(); an error about the integrator is rethrown with the name of the option.
-    template <class Read>
-    static auto naming(const Read& read) {
-        try {
-            return read();
-        } catch (const error& problem) {
-            if (!problem.is_about(error_subject::integrator)) {
-                throw;
-            }
-            throw input_error("--integrator '" + problem.value() + "' " + problem.reason());
-        }
-    }
 
 private:
     std::optional<std::string> integrator_;

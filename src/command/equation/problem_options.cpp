@@ -125,8 +125,7 @@ void problem_options::add_to(CLI::App& command, closed_forms known, set_values s
 
 std::unique_ptr<libration::solution> problem_options::solution(bool general) const {
     const libration::problem asked(equations());
-    auto found = naming_option(changes_.empty() ? "--problem" : "--problem with --set",
-                               [&] { return solve(asked, {.general = general || general_}); });
+    auto found = naming([&] { return solve(asked, {.general = general || general_}); });
     if (!found->closed_form().empty() && !announced_) {
         fmt::print(stderr,
                    "libration: the equations are those of {}: its closed form is used (Taylor series with --general)\n",
@@ -137,8 +136,7 @@ std::unique_ptr<libration::solution> problem_options::solution(bool general) con
 
 std::unique_ptr<libration::solution> problem_options::general_solution() const {
     const libration::problem asked(equations());
-    return naming_option(changes_.empty() ? "--problem" : "--problem with --set",
-                         [&] { return solve(asked, {.general = true}); });
+    return naming([&] { return solve(asked, {.general = true}); });
 }
 
 namespace {
@@ -252,7 +250,7 @@ ode::explicit_system problem_options::choose_first_branch() const {
     if (system.is_ordinary()) {
         return choose();
     }
-    return naming_option(changes_.empty() ? "--problem" : "--problem with --set", [&] {
+    return naming([&] {
         if (system.has_delays()) {
             return ode::delay_system(system).first_equations();
         }
@@ -263,8 +261,7 @@ ode::explicit_system problem_options::choose_first_branch() const {
 
 ode::explicit_system problem_options::choose() const {
     const auto system = equations();
-    return naming_option(changes_.empty() ? "--problem" : "--problem with --set",
-                         [&] { return ode::explicit_system(system); });
+    return naming([&] { return ode::explicit_system(system); });
 }
 
 }  // namespace libration

@@ -85,6 +85,12 @@ public:
     /// are no lists. Throws input_error, also for more than `most`.
     std::vector<family_member> family(std::size_t most = 1000) const;
 
+    /// read(); an error about the problem is rethrown with the names of the options that give it.
+    template <class Read>
+    auto naming(const Read& read) const {
+        return naming_option(changes_.empty() ? "--problem" : "--problem with --set", read);
+    }
+
 private:
     void warn_of_unused(const std::string& written) const;
 

@@ -21,11 +21,11 @@ public:
     bool is_complex() const { return at_ && has_imaginary_unit(*at_); }
     /// Adds the point and the path to a request. Throws input_error for a text that is not a point of this solution.
     void complete(series_request& request, const chosen_solution& chosen) const;
-    /// ask(); an error about the problem or about the path to the point names the option.
+    /// ask(); an error about the path to the point names the option.
     template <class Ask>
     auto asking_about(const Ask& ask) const {
         try {
-            return naming_option("--problem", ask);
+            return ask();
         } catch (const error& problem) {
             if (!at_ || (!problem.is_about(error_subject::time) && !problem.is_about(error_subject::point))) {
                 throw;

@@ -92,10 +92,6 @@ auto with_progress(const Enclose& enclose) {
     });
 }
 
-const char* option_of(const problem_options& problem) {
-    return problem.changes().empty() ? "--problem" : "--problem with --set";
-}
-
 // A paragraph for each event, and a line of it for its time and for each unknown.
 partial_table table_of_events(const ode::set_events& found, long digits) {
     partial_table result{table({{"event", ""}, {"quantity", ""}, {"lower", ""}, {"upper", ""}, {"rigour", ""}}),
@@ -190,7 +186,7 @@ partial_table set_options::enclosures(const problem_options& problem, const std:
             typed.push_back(given[i].text);
         }
     }
-    const auto found = naming_option(option_of(problem), [&] {
+    const auto found = problem.naming([&] {
         return with_progress(
             [&](const auto& watch) { return ode::enclosed_solutions(equations, request, watch, route); });
     });
@@ -205,7 +201,7 @@ partial_table set_options::events(const problem_options& problem, ode::set_event
     const auto equations = problem.equations();
     request.most_parts = most_parts();
     request.digits = digits;
-    const auto found = naming_option(option_of(problem), [&] {
+    const auto found = problem.naming([&] {
         return with_progress([&](const auto& watch) { return ode::enclosed_events(equations, request, watch, route); });
     });
     state_parts(found.parts, found.steps, found.faces, equations);
@@ -217,18 +213,9 @@ partial_table set_options::event_counts(const problem_options& problem, ode::eve
     const auto equations = problem.equations();
     request.most_parts = most_parts();
     request.digits = digits;
-    const auto counts = [&] {
-        try {
-            return with_progress(
-                [&](const auto& watch) { return ode::event_counts(equations, request, watch, route); });
-        } catch (const error& problem_of_time) {
-            if (!problem_of_time.is_about(error_subject::before)) {
-                throw;
-            }
-            throw input_error("--before '" + problem_of_time.value() + "' " + problem_of_time.reason());
-        }
-    };
-    const auto found = naming_option(option_of(problem), counts);
+    const auto found = problem.naming([&] {
+        return with_progress([&](const auto& watch) { return ode::event_counts(equations, request, watch, route); });
+    });
     state_parts(found.parts, found.steps, 0, equations);
     partial_table result{table(std::vector<column>{{"events", ""}, {"rigour", ""}}), "", "", found.missing, {}};
     for (const long count : found.counts) {

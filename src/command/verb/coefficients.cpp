@@ -52,7 +52,7 @@ std::optional<answer> fractions_of(const coefficients_options& options, const so
     if (options.arithmetic.scalar() != "rational") {
         return std::nullopt;
     }
-    return naming_option("--problem", [&] { return of.fractions(powers); });
+    return of.fractions(powers);
 }
 
 int run_coefficients(const coefficients_options& options) {

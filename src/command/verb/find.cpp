@@ -3,7 +3,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
 #include <memory>
 #include <utility>
 
@@ -54,28 +53,18 @@ std::string remedy_of_guesses(const find_options& options) {
     return line;
 }
 
-// An error about the conditions, the unknowns or the comparison of proofs names the option.
-[[noreturn]] void refuse(const find_options& options, const error& problem) {
-    static const std::map<error_subject, std::string> options_of{{error_subject::conditions, "--such-that"},
-                                                                 {error_subject::condition, "--such-that"},
-                                                                 {error_subject::unknowns, "--unknown"},
-                                                                 {error_subject::check, "--check"},
-                                                                 {error_subject::along, "--along"}};
-    const auto found = options_of.find(problem.about());
-    const std::string option = found == options_of.end() ? "" : found->second;
-    if (problem.is_about(error_subject::first_guess)) {
-        throw error(problem.kind(), problem.subject(), problem.value(),
+// find(); an error about the first guess proposes several.
+template <class Find>
+auto proposing_guesses(const find_options& options, const Find& find) {
+    try {
+        return find();
+    } catch (const error& problem) {
+        if (!problem.is_about(error_subject::first_guess)) {
+            throw;
+        }
+        throw error(problem.kind(), error_subject::first_guess, problem.value(),
                     problem.reason() + ", or several with" + remedy_of_guesses(options));
     }
-    if (option.empty() || problem.kind() == error_kind::range) {
-        throw error(problem);
-    }
-    if (problem.kind() == error_kind::undecided) {
-        throw error(problem.kind(), option, problem.value(), problem.reason());
-    }
-    const std::string value = problem.value().empty() ? "" : " '" + problem.value() + "'";
-    throw input_error(option + value + " " + problem.reason() +
-                      (problem.is_about(error_subject::check) ? ": leave it out" : ""));
 }
 
 void require_as_many_conditions(const find_options& options) {
@@ -98,11 +87,7 @@ answer found_by(const find_options& options, const problem& of, const request& h
     if (!at_infinity) {
         require_as_many_conditions(options);
     }
-    try {
-        return find_unknowns(of, options.unknowns, options.conditions, how);
-    } catch (const error& problem) {
-        refuse(options, problem);
-    }
+    return proposing_guesses(options, [&] { return find_unknowns(of, options.unknowns, options.conditions, how); });
 }
 
 // NAME = VALUES of --along.
@@ -155,11 +140,8 @@ int run_along(const find_options& options, const problem& of, const branch_value
             naming_option("--guess", [&] { changed.set(each); });
         }
         found.add(guess, [&] {
-            try {
-                return find_branch(changed, options.unknowns, options.conditions, along, how);
-            } catch (const error& problem) {
-                refuse(options, problem);
-            }
+            return proposing_guesses(
+                options, [&] { return find_branch(changed, options.unknowns, options.conditions, along, how); });
         });
     }
     if (found.has_points()) {
@@ -205,7 +187,7 @@ int run_find(const find_options& options) {
                               check_time();
                           }};
     if (along) {
-        return naming_option("--problem", [&] { return run_along(options, of, *along, guesses, how, digits); });
+        return run_along(options, of, *along, guesses, how, digits);
     }
     found_solutions found;
     std::optional<error> ended;
@@ -215,8 +197,7 @@ int run_find(const find_options& options) {
             naming_option("--guess", [&] { changed.set(each); });
         }
         try {
-            found.add(guess,
-                      [&] { return naming_option("--problem", [&] { return found_by(options, changed, how); }); });
+            found.add(guess, [&] { return found_by(options, changed, how); });
         } catch (const error& problem) {
             if (found.solutions().empty()) {
                 throw;

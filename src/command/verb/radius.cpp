@@ -113,7 +113,7 @@ int prove_radius(const radius_options& options) {
             shown.stage(done);
             check_time();
         }};
-    const answer found = naming_option("--problem", [&] { return chosen.of->radius(series_request{}, how); });
+    const answer found = chosen.of->radius(series_request{}, how);
     table data({{"lower", ""}, {"upper", ""}, {"digits", ""}, {"rigour", ""}});
     data.add_row({number_cell(found.at(0, "lower")), number_cell(found.at(0, "upper")), digits, found.rigour});
     std::string text;

@@ -210,10 +210,9 @@ int write_events_of_sets(const reference_options& options, long digits) {
     const bool how_many = options.events.asks_how_many();
     ode::proof_route route;
     route.integrator = options.integrator.choice();
-    const auto found = integrator_options::naming([&] {
-        return how_many ? options.sets.event_counts(options.problem, options.events.request_for_counts(), digits, route)
-                        : options.sets.events(options.problem, options.events.request_for_sets(), digits, route);
-    });
+    const auto found =
+        how_many ? options.sets.event_counts(options.problem, options.events.request_for_counts(), digits, route)
+                 : options.sets.events(options.problem, options.events.request_for_sets(), digits, route);
     if (found.has_output()) {
         options.output.write(found.rows, found.text);
     }
@@ -237,10 +236,8 @@ int write_events(const reference_options& options, long digits) {
     const auto write = [&](const partial_table& found) { output.write(found.rows, found.text); };
     ode::proof_route route;
     route.integrator = options.integrator.choice();
-    const auto found = naming_option("--until", [&] {
-        return integrator_options::naming(
-            [&] { return problem_events(system, request, digits, route, options.check, search, write); });
-    });
+    const auto found = naming_option(
+        "--until", [&] { return problem_events(system, request, digits, route, options.check, search, write); });
     if (found.has_output()) {
         if (figure && !found.rows.rows().empty()) {
             figure->draw(event_plot(options.problem, found.rows, options.events.condition(), options.plot));
@@ -261,8 +258,7 @@ int write_events(const reference_options& options, long digits) {
 int write_enclosures(const reference_options& options, const std::vector<family_member>& family, long digits) {
     ode::proof_route route;
     route.integrator = options.integrator.choice();
-    const auto found = integrator_options::naming(
-        [&] { return options.sets.enclosures(family.front().problem, options.times, digits, route); });
+    const auto found = options.sets.enclosures(family.front().problem, options.times, digits, route);
     if (found.has_output()) {
         options.output.write(found.rows, found.text);
     }
@@ -364,10 +360,7 @@ int run_reference(const reference_options& options) {
         throw input_error("--digits", std::to_string(digits), "would take hours with --check",
                           fmt::format("write {} or fewer", most_checked_digits));
     }
-    const auto parts = naming_option("--problem", [&] {
-        return derivative_options::naming(
-            [&] { return integrator_options::naming([&] { return answered(asked, options, digits); }); });
-    });
+    const auto parts = answered(asked, options, digits);
     const auto found = family.size() == 1 ? stacked_states(parts) : family_table(family, parts);
     if (found.has_output()) {
         if (figure) {

@@ -96,16 +96,14 @@ answer singularities_of(const singularities_options& options, const solution& of
     progress shown("singularities", progress_of_part::steps);
     progress_of_part to(shown);
     try {
-        return naming_option("--problem", [&] {
-            return of.singularities(options.radius(), {.scalar = scalar,
-                                                       .check = options.check,
-                                                       .progress = [&](double part) { to(part); },
-                                                       .stage =
-                                                           [&](const std::string& done) {
-                                                               shown.stage(done);
-                                                               check_time();
-                                                           }});
-        });
+        return of.singularities(options.radius(), {.scalar = scalar,
+                                                   .check = options.check,
+                                                   .progress = [&](double part) { to(part); },
+                                                   .stage =
+                                                       [&](const std::string& done) {
+                                                           shown.stage(done);
+                                                           check_time();
+                                                       }});
     } catch (const error& problem) {
         if (problem.kind() != error_kind::undecided || !problem.is_about_solution()) {
             throw;

@@ -139,33 +139,25 @@ partial_table trajectory_of_problem(const trajectory_options& options) {
     const arithmetic numbers = options.arithmetic.choose();
     options.integrator.choice();
     if (approximated) {
-        return naming_option("--problem", [&] {
-            return partial_table{problem_approximation(options.problem, {method, order_of("--order", *options.order)},
-                                                       times_of_problem(options.times), numbers),
-                                 {},
-                                 {},
-                                 {}};
-        });
+        return {problem_approximation(options.problem, {method, order_of("--order", *options.order)},
+                                      times_of_problem(options.times), numbers),
+                {},
+                {},
+                {}};
     }
     if (options.via || has_imaginary_unit(options.times)) {
         const auto of = options.problem.general_solution();
         const auto corners = corners_of(options.via);
         const auto points = complex_points("--times", options.times);
-        return naming_option("--problem", [&] {
-            return partial_table{problem_trajectory_along(*of, corners, points, numbers), {}, {}, {}};
-        });
+        return {problem_trajectory_along(*of, corners, points, numbers), {}, {}, {}};
     }
     const auto times = times_of_problem(options.times);
     const bool fixed = numbers.scalar.kind != scalar_kind::proved && numbers.scalar.kind != scalar_kind::arbitrary;
     const auto of = options.problem.solution(fixed || options.method == "taylor" || options.integrator.integrates());
     progress shown("trajectory", progress_of_part::steps);
     progress_of_part to(shown);
-    return naming_option("--problem", [&] {
-        return integrator_options::naming([&] {
-            return problem_trajectory(
-                *of, times, numbers, [&](double part) { to(part); }, options.integrator.choice());
-        });
-    });
+    return problem_trajectory(
+        *of, times, numbers, [&](double part) { to(part); }, options.integrator.choice());
 }
 
 // Whether solutions of a problem are integrated in double, without a path or an approximation.
