@@ -4,6 +4,7 @@
 //     x->states("1/2, 1", proved_digits(30)).at(0, "x");  // tan(1/2)
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -19,6 +20,14 @@
 #include "libration/scalar/mpfr.hpp"
 
 namespace libration {
+
+class ball;
+
+namespace ode {
+struct event_request;
+struct known_event;
+using event_watch = std::function<void(const ball& reached, long bits, const std::vector<known_event>& known)>;
+}  // namespace ode
 
 /// Which constants of a motion, all of them without names.
 struct constants_request {
@@ -79,9 +88,13 @@ public:
     /// The quantities at infinite time: at a stable equilibrium that the solution approaches, or by a lemma on the problem.
     /// Throws error of the kind undecided if neither is found.
     virtual answer limits(const request& how) const = 0;
-    /// The first `count` times after the start at which a condition such as "x' = 1/2" holds: time and the quantities,
-    /// proved, without omissions.
-    virtual answer events(const std::string& condition, long count, const request& how) const = 0;
+    /// The events of a request: time and the quantities, proved, without omissions; `watch` is that of
+    /// ode::searched_events. Throws std::runtime_error if the second proof of request::check disagrees.
+    virtual answer events(const ode::event_request& of, const request& how, const ode::event_watch& watch) const = 0;
+    /// The first `count` times after the start at which a condition such as "x' = 1/2" holds.
+    answer events(const std::string& condition, long count, const request& how) const;
+    /// The difference of the two sides of a condition. Throws error of the subject "problem".
+    virtual ode::expression condition(const std::string& text) const = 0;
     /// Throws error of the kind argument unless the text is the notation of an expansion point of this solution; an
     /// empty text is the usual one.
     virtual void require_point(const std::string& about) const = 0;

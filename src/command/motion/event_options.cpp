@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "equation/problem_trajectory.hpp"
-#include "libration/equation/text/parse.hpp"
 #include "libration/number/grid.hpp"
 #include "text/input_error.hpp"
 
@@ -87,9 +86,9 @@ ode::event_count_request event_options::request_for_counts() const {
     return request;
 }
 
-ode::event_request event_options::request(const problem_options& problem, const ode::explicit_system& system) const {
+ode::event_request event_options::request(const solution& of, const ode::explicit_system& system) const {
     ode::event_request request;
-    request.g = naming_option("--until", [&] { return ode::parse_condition(problem.equations(), *until_); });
+    request.g = naming_option("--until", [&] { return of.condition(*until_); });
     if (request.g.is_constant()) {
         throw input_error("--until", *until_, "is not a condition on the solution", "write one, such as \"x' = 0\"");
     }

@@ -22,7 +22,7 @@ public:
     /// The condition of --until as it is given.
     const std::string& condition() const { return *until_; }
     /// Throws input_error.
-    ode::event_request request(const problem_options& problem, const ode::explicit_system& system) const;
+    ode::event_request request(const solution& of, const ode::explicit_system& system) const;
     /// The same for all solutions of a set.
     ode::set_event_request request_for_sets() const;
     /// Whether the number of events is requested: --how-many.

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "libration/equation/constant_value.hpp"
-#include "libration/number/two_proofs.hpp"
 #include "libration/problem/proved_answer.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/decimal.hpp"
@@ -86,12 +85,12 @@ public:
     }
 
     /// Writes the events, reports the time reached, and ends the process.
-    [[noreturn]] void end(const ode::explicit_system& system, const ode::event_request& request, long digits,
+    [[noreturn]] void end(const solution& of, const ode::event_request& request, long digits,
                           const std::function<void(const partial_table&)>& write) {
         const std::lock_guard lock(mutex_);
         try {
             if (!events_.empty()) {
-                write(events_table(answer_of(names_of_state(system), ode::event_report{events_, {}, {}}), digits));
+                write(events_table(answer_of(of.quantities(), ode::event_report{events_, {}, {}}), digits));
             }
             const precision_scope scope(20);
             say_line(fmt::format("the search for events was interrupted about time {}, with {} of {} events proved",
@@ -110,50 +109,20 @@ private:
     long bits_ = 0;  // of the run
 };
 
-void check_events(const ode::explicit_system& system, ode::event_request request, long digits,
-                  const event_searcher& search, const std::vector<ode::known_event>& first) {
-    if (first.empty()) {
-        return;
-    }
-    request.count = static_cast<long>(first.size());
-    const auto report = search(request, digits + ode::more_digits_of_second_proof, ode::proof_route::second(), {});
-    const auto& second = report.events;
-    if (second.size() < first.size()) {
-        throw error(report.missing.value());
-    }
-    const auto names = names_of_state(system);
-    const auto require_same = [](const ode::known_value& a, const ode::known_value& b, const std::string& what) {
-        if (a.decimal && b.decimal) {
-            require_agreement(*a.decimal, *b.decimal, what);
-        }
-    };
-    for (std::size_t i = 0; i < first.size(); ++i) {
-        const std::string event = fmt::format(" of event {}", i + 1);
-        require_same(first[i].time, second[i].time, "the time" + event);
-        for (std::size_t j = 0; j < names.size(); ++j) {
-            require_same(first[i].values[j], second[i].values[j], names[j] + event);
-        }
-    }
-}
-
 }  // namespace
 
-partial_table problem_events(const ode::explicit_system& system, const ode::event_request& request, long digits,
-                             const ode::proof_route& route, bool check, const event_searcher& search,
-                             const std::function<void(const partial_table&)>& write) {
-    const auto checked = checked_products(check);
+partial_table problem_events(const solution& of, const ode::explicit_system& system, const ode::event_request& request,
+                             const libration::request& how, const std::function<void(const partial_table&)>& write) {
+    const long digits = how.printed_digits();
     search_progress shown(system, request);
     known_so_far known;
-    const at_ending_signal interrupted([&] { known.end(system, request, digits, write); });
-    const auto report = search(request, digits, route,
-                               [&](const ball& reached, long bits, const std::vector<ode::known_event>& events) {
-                                   shown.reached(reached, bits, events.size());
-                                   known.tell(reached, bits, events);
-                               });
-    if (check) {
-        check_events(system, request, digits, search, report.events);
-    }
-    return events_table(answer_of(names_of_state(system), report), digits);
+    const at_ending_signal interrupted([&] { known.end(of, request, digits, write); });
+    return events_table(of.events(request, how,
+                                  [&](const ball& reached, long bits, const std::vector<ode::known_event>& events) {
+                                      shown.reached(reached, bits, events.size());
+                                      known.tell(reached, bits, events);
+                                  }),
+                        digits);
 }
 
 }  // namespace libration

@@ -15,8 +15,6 @@
 #include "equation/solution_table.hpp"
 #include "libration/number/grid.hpp"
 #include "libration/problem/known/pendulum_solution.hpp"
-#include "libration/query/delay_events.hpp"
-#include "libration/query/hybrid_trajectory.hpp"
 #include "motion/event_options.hpp"
 #include "motion/motion_cells.hpp"
 #include "motion/problem_events.hpp"
@@ -187,24 +185,6 @@ void check_if_asked(const reference_options& options) {
     }
 }
 
-event_searcher searcher_of(const ode::equation_system& equations, const ode::explicit_system& system) {
-    if (equations.has_delays()) {
-        return [delayed = ode::delay_system(equations)](const auto& request, long digits, const auto& /*route*/,
-                                                        const auto& watch) {
-            return ode::searched_delay_events(delayed, request, digits, watch);
-        };
-    }
-    if (equations.is_smooth()) {
-        return [&system](const auto& request, long digits, const auto& route, const auto& watch) {
-            return ode::searched_events(system, request, digits, route, watch);
-        };
-    }
-    return [hybrid = ode::hybrid_system(equations)](const auto& request, long digits, const auto& route,
-                                                    const auto& watch) {
-        return ode::searched_hybrid_events(hybrid, request, digits, route, watch);
-    };
-}
-
 // The events of all solutions of a set, or how many there are.
 int write_events_of_sets(const reference_options& options, long digits) {
     const bool how_many = options.events.asks_how_many();
@@ -226,18 +206,17 @@ int write_events(const reference_options& options, long digits) {
         return write_events_of_sets(options, digits);
     }
     const auto system = options.problem.choose_first_branch();
-    const auto search = searcher_of(options.problem.equations(), system);
-    const auto request = options.events.request(options.problem, system);
+    const auto of = options.problem.general_solution();
+    const auto request = options.events.request(*of, system);
     const auto figure = options.plot.file(options.output);
     if (figure) {
         options.plot.require_known(columns_of_states(system));
     }
     const auto output = table_output(options.output, figure);
     const auto write = [&](const partial_table& found) { output.write(found.rows, found.text); };
-    ode::proof_route route;
-    route.integrator = options.integrator.choice();
-    const auto found = naming_option(
-        "--until", [&] { return problem_events(system, request, digits, route, options.check, search, write); });
+    const libration::request proved{
+        .scalar = {scalar_kind::proved, digits}, .check = options.check, .integrator = options.integrator.choice()};
+    const auto found = naming_option("--until", [&] { return problem_events(*of, system, request, proved, write); });
     if (found.has_output()) {
         if (figure && !found.rows.rows().empty()) {
             figure->draw(event_plot(options.problem, found.rows, options.events.condition(), options.plot));

@@ -89,9 +89,14 @@ answer delay_solution::limits(const request& /*how*/) const {
                 std::string(not_with_delays) + ": choose finite times");
 }
 
-answer delay_solution::events(const std::string& condition, long count, const request& how) const {
-    const ode::event_request asked{.g = ode::parse_condition(equations_, condition), .count = count};
-    return answer_of(quantities(), ode::searched_delay_events(system_, asked, how.printed_digits()));
+answer delay_solution::events(const ode::event_request& of, const request& how, const ode::event_watch& watch) const {
+    return events_by(quantities(), how, watch, [&](long digits, const auto& /*route*/, const auto& watched) {
+        return ode::searched_delay_events(system_, of, digits, watched);
+    });
+}
+
+ode::expression delay_solution::condition(const std::string& text) const {
+    return ode::parse_condition(equations_, text);
 }
 
 void delay_solution::require_point(const std::string& about) const {

@@ -19,7 +19,9 @@ public:
     answer states(const std::vector<exact>& times, const request& how) const override;
     answer states_along(const complex_path_request& along, const request& how) const override;
     answer limits(const request& how) const override;
-    answer events(const std::string& condition, long count, const request& how) const override;
+    using solution::events;
+    answer events(const ode::event_request& of, const request& how, const ode::event_watch& watch) const override;
+    ode::expression condition(const std::string& text) const override;
     using solution::series;
     void require_point(const std::string& about) const override;
     std::string form_of_points() const override { return "nothing: no expansion point is supported"; }

@@ -196,7 +196,7 @@ answer find_unknowns(const problem& of, const std::vector<std::string>& unknowns
         }
         if (how.check) {
             throw error(error_kind::argument, error_subject::check, "",
-                        "compares two proofs, and a condition at infinity has only one, by a lemma");
+                        "compares two proofs, and a condition at infinity has only one, by a lemma: leave it out");
         }
         return found_by(how, [&](long digits, const ode::proof_route& /*route*/) {
             return found_for_infinity(of, unknowns, conditions.front(), digits);

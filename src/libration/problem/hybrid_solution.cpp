@@ -104,9 +104,14 @@ answer hybrid_solution::limits(const request& /*how*/) const {
     throw error(error_kind::undecided, error_subject::time, "inf", unsupported);
 }
 
-answer hybrid_solution::events(const std::string& condition, long count, const request& how) const {
-    const ode::event_request asked{.g = ode::parse_condition(equations_, condition), .count = count};
-    return answer_of(quantities(), ode::searched_hybrid_events(system_, asked, how.printed_digits()));
+answer hybrid_solution::events(const ode::event_request& of, const request& how, const ode::event_watch& watch) const {
+    return events_by(quantities(), how, watch, [&](long digits, const auto& route, const auto& watched) {
+        return ode::searched_hybrid_events(system_, of, digits, route, watched);
+    });
+}
+
+ode::expression hybrid_solution::condition(const std::string& text) const {
+    return ode::parse_condition(equations_, text);
 }
 
 namespace {

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "libration/number/two_proofs.hpp"
 #include "libration/query/proved_events.hpp"
 #include "libration/query/states.hpp"
 
@@ -23,6 +24,26 @@ std::vector<answer_note> notes_of_relations(const std::vector<std::string>& by_r
     return notes;
 }
 
+void require_agreement_of(const ode::known_value& a, const ode::known_value& b, const std::string& what) {
+    if (a.decimal && b.decimal) {
+        require_agreement(*a.decimal, *b.decimal, what);
+    }
+}
+
+void require_same_events(const std::vector<std::string>& quantities, const std::vector<ode::known_event>& first,
+                         const ode::event_report& second) {
+    if (second.events.size() < first.size()) {
+        throw error(second.missing.value());
+    }
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        const std::string event = " of event " + std::to_string(i + 1);
+        require_agreement_of(first[i].time, second.events[i].time, "the time" + event);
+        for (std::size_t j = 0; j < quantities.size(); ++j) {
+            require_agreement_of(first[i].values[j], second.events[i].values[j], quantities[j] + event);
+        }
+    }
+}
+
 }  // namespace
 
 answer_value value_in_answer(const ode::known_value& value) {
@@ -39,6 +60,20 @@ answer answer_of(std::vector<std::string> names, const ode::partial_trajectory& 
     result.collocation = found.collocation;
     result.notes = notes_of_relations(found.by_relation);
     return result;
+}
+
+answer events_by(const std::vector<std::string>& quantities, const request& how, const ode::event_watch& watch,
+                 const event_searcher& search) {
+    const auto checked = checked_products(how.check);
+    ode::proof_route route;
+    route.integrator = how.integrator;
+    const ode::event_report found = search(how.printed_digits(), route, watch);
+    if (how.check && !found.events.empty()) {
+        require_same_events(
+            quantities, found.events,
+            search(how.printed_digits() + ode::more_digits_of_second_proof, ode::proof_route::second(), {}));
+    }
+    return answer_of(quantities, found);
 }
 
 answer answer_of(const std::vector<std::string>& quantities, const ode::event_report& found) {

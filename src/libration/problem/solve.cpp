@@ -8,6 +8,7 @@
 #include "libration/problem/known_facts.hpp"
 #include "libration/problem/radius_answer.hpp"
 #include "libration/problem/solution.hpp"
+#include "libration/query/proved_events.hpp"
 #include "libration/scalar/list_items.hpp"
 #include "taylor_solution.hpp"
 
@@ -51,6 +52,10 @@ answer solution::states(const std::string& times, const request& how) const {
         list.push_back(given_time("time", item));
     }
     return states(list, how);
+}
+
+answer solution::events(const std::string& condition_text, long count, const request& how) const {
+    return events(ode::event_request{.g = condition(condition_text), .count = count}, how, {});
 }
 
 answer solution::series(long order, const std::string& about, const request& how) const {

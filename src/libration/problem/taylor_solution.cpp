@@ -195,11 +195,14 @@ answer taylor_solution::limits(const request& how) const {
     return answer_of(quantities(), ode::limit_at_equilibrium(system_, how.printed_digits(), watch, route));
 }
 
-answer taylor_solution::events(const std::string& condition, long count, const request& how) const {
-    const ode::event_request asked{.g = ode::parse_condition(equations_, condition), .count = count};
-    ode::proof_route route;
-    route.integrator = how.integrator;
-    return answer_of(quantities(), ode::searched_events(system_, asked, how.printed_digits(), route));
+answer taylor_solution::events(const ode::event_request& of, const request& how, const ode::event_watch& watch) const {
+    return events_by(quantities(), how, watch, [&](long digits, const auto& route, const auto& watched) {
+        return ode::searched_events(system_, of, digits, route, watched);
+    });
+}
+
+ode::expression taylor_solution::condition(const std::string& text) const {
+    return ode::parse_condition(equations_, text);
 }
 
 }  // namespace libration

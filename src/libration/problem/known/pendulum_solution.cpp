@@ -65,9 +65,11 @@ public:
         return general_ ? nullptr : std::make_unique<pendulum_sampler>(motion_);
     }
     answer limits(const request& how) const override { return general("at infinite time").limits(how); }
-    answer events(const std::string& condition, long count, const request& how) const override {
-        return general("for events").events(condition, count, how);
+    using solution::events;
+    answer events(const ode::event_request& of, const request& how, const ode::event_watch& watch) const override {
+        return general("for events").events(of, how, watch);
     }
+    ode::expression condition(const std::string& text) const override { return general("for events").condition(text); }
     using solution::series;
     void require_point(const std::string& about) const override;
     std::string form_of_points() const override;
