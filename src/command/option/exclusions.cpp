@@ -18,6 +18,8 @@ namespace {
 using rules = std::vector<option_rule>;
 
 constexpr const char* options_of_motion = "--energy --gap --theta0 --omega0 --direction --length --gravity";
+constexpr const char* motions_of_table = "--energies --gaps --theta0 --omega0 --direction --length --gravity";
+constexpr const char* arguments_of_table = "--u --phi --x --z --n --k --m --m1 --alpha --q";
 constexpr const char* without_problem = "has no meaning without --problem";
 constexpr const char* not_with_sets = "is not supported with sets of initial values and parameters";
 constexpr const char* not_with_delays = "is not supported for a problem with delays";
@@ -160,7 +162,26 @@ const rules series_rules{
 
 const rules study_rules{{"--fresh --shard", "!--out", "requires a directory for the journal", "add --out DIR"}};
 
-const rules table_rules{{"--columns", "!--points", "is given without --points"}};
+const rules table_rules{
+    {"--problem", "what", "comes together with the table {}", "give one of them"},
+    {arguments_of_table, "what=pendulum", "has no meaning for the table {}"},
+    {motions_of_table, "what !what=pendulum", "has no meaning for the table {}"},
+    {"--times", "what !what=pendulum", "has no meaning for the table {}"},
+    {arguments_of_table, "--problem", "has no meaning for the table of a problem"},
+    {motions_of_table, "--problem", "has no meaning for the table of a problem"},
+    {"--points --columns", "--problem", "has no meaning for the table of a problem"},
+    {"--columns", "!--points", "is given without --points"},
+    {arguments_of_table, "--points", "comes together with --points '{}'", "give it as a column of the file"},
+    {motions_of_table, "--points", "comes together with --points '{}'", "give it as a column of the file"},
+    {"", "what=pendulum !--energies|--gaps|--omega0|--points", "no motions are given",
+     "add --energies LIST, --gaps LIST, or --theta0 LIST with --omega0 LIST"},
+    {"--omega0", "--energies|--gaps", "comes together with --energies or --gaps",
+     "give energies, or --theta0 and --omega0, not both"},
+    {"--omega0", "!--theta0", "alone does not determine a motion", "add --theta0 LIST"},
+    {"--direction", "--omega0", "goes with --energies or --gaps", "give the sign of the motion to --omega0"},
+    {"", "what=pendulum !--times|--points", "no times are given", "add --times LIST"},
+    {"", "--problem !--times", "no --times are given", "add --times such as 0,1.5,sqrt(2) or 0:20:201"},
+};
 
 const rules journal_rules{
     {"--check", "--export|--drop", "is given together with --export or --drop", "give one of them"},
@@ -218,7 +239,7 @@ bool holds_plainly(const CLI::App& command, const std::string& term, const argum
                                             [&](const std::string& each) { return fits(*value, each); });
     }
     return std::ranges::any_of(parts_of(term, '|'), [&](const std::string& each) {
-        return is_option(each) ? value_of(command, each).has_value() : has && has(each);
+        return value_of(command, each) || (!is_option(each) && has && has(each));
     });
 }
 

@@ -177,12 +177,6 @@ void read_grid_points(elliptic_request& request, const option_words& said, ellip
 // Each row of the file is a point.
 void read_points(elliptic_request& request, const option_words& said) {
     const std::string& path = *said["--points"];
-    for (const std::string option : {"--u", "--phi", "--x", "--z", "--n", "--k", "--m", "--m1", "--alpha", "--q"}) {
-        if (said[option]) {
-            throw input_error(option, *said[option], "comes together with --points '" + path + "'",
-                              "give it as a column of the file");
-        }
-    }
     const point_file file("--points", path, said["--columns"], elliptic_columns::known());
     const named_function* asked = request.functions.front();
     for (const named_function* const each : request.functions) {

@@ -73,26 +73,6 @@ void add_by_state(std::vector<grid_motion>& motions, const option_words& said, c
     }
 }
 
-void require_one_kind(const option_words& said) {
-    const bool energetic = said["--energies"] || said["--gaps"];
-    const auto& omega0 = said["--omega0"];
-    if (energetic && omega0) {
-        throw input_error("--omega0", *omega0, "comes together with --energies or --gaps",
-                          "give energies, or --theta0 and --omega0, not both");
-    }
-    if (!energetic && !omega0) {
-        throw input_error(
-            "no motions are given: add --energies LIST, --gaps LIST, or --theta0 LIST with --omega0 LIST");
-    }
-    if (omega0 && !said["--theta0"]) {
-        throw input_error("--omega0", *omega0, "alone does not determine a motion", "add --theta0 LIST");
-    }
-    if (omega0 && said["--direction"]) {
-        throw input_error("--direction", *said["--direction"], "goes with --energies or --gaps",
-                          "give the sign of the motion to --omega0");
-    }
-}
-
 }  // namespace
 
 void offer_motions(option_words& said, CLI::App& command) {
@@ -108,7 +88,6 @@ void offer_motions(option_words& said, CLI::App& command) {
 }
 
 std::vector<grid_motion> motions_of(const option_words& said) {
-    require_one_kind(said);
     const typed_motion usual = numbers_of_options({.direction = said["--direction"].value_or(""),
                                                    .length = said["--length"].value_or(""),
                                                    .gravity = said["--gravity"].value_or("")});
@@ -126,9 +105,6 @@ std::vector<grid_motion> motions_of(const option_words& said) {
 
 std::vector<exact> times_for(const std::vector<grid_motion>& motions, const option_words& said) {
     const auto& words = said["--times"];
-    if (!words) {
-        throw input_error("no times are given: add --times LIST");
-    }
     auto times = times_of(*words, regime::libration);
     for (const grid_motion& each : motions) {
         if (at_critical_energy(each.of.regime())) {

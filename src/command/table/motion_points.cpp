@@ -39,16 +39,6 @@ motion_points points_of_lists(const option_words& said) {
     return points;
 }
 
-void require_no_lists(const option_words& said) {
-    for (const std::string option :
-         {"--energies", "--gaps", "--theta0", "--omega0", "--direction", "--length", "--gravity"}) {
-        if (said[option]) {
-            throw input_error(option, *said[option], "comes together with --points '" + *said["--points"] + "'",
-                              "give it as a column of the file");
-        }
-    }
-}
-
 // The texts of an energy that was given.
 std::optional<sweep_energy> texts_of(const typed_motion& typed) {
     const auto& number = typed.gap ? typed.gap : typed.energy;
@@ -145,7 +135,6 @@ motion_points points_of(const option_words& said, bool decimals) {
     if (!said["--points"]) {
         return points_of_lists(said);
     }
-    require_no_lists(said);
     return motion_rows_of_file(said, decimals).points();
 }
 

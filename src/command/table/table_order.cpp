@@ -54,15 +54,6 @@ std::string table_order::command() const {
     return fmt::format("libration table{}{} --digits {}", subject->words(), said.text(), digits);
 }
 
-void require_own_options(const table_order& order) {
-    for (const char* const option : order.subject->other_options()) {
-        if (order.said[option]) {
-            throw input_error(option, *order.said[option], "has no meaning for the table " + order.subject->name(),
-                              "leave it out");
-        }
-    }
-}
-
 table table_for(const table_order& order, const std::string& format, int jobs) {
     const input_style style = has_comments(format) ? input_style::decimals : input_style::typed;
     return order.subject->rows(order.said, order.digits, style, jobs);

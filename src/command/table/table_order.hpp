@@ -22,15 +22,11 @@ public:
 
     /// The arguments of the command that name it: " pendulum".
     virtual std::string words() const = 0;
-    /// For messages: "has no meaning for the table pendulum".
-    virtual std::string name() const = 0;
     /// The first line of a file with comments.
     virtual std::string title() const = 0;
     /// The text of the problem; empty if it is not one.
     virtual std::string text() const { return {}; }
     virtual std::string rigour() const { return "proved to one unit in the last place"; }
-    /// The options that belong to the other kinds of table.
-    virtual std::vector<const char*> other_options() const = 0;
     /// Throws input_error.
     virtual table rows(const option_words& said, long digits, input_style style, int jobs) const = 0;
 };
@@ -38,7 +34,7 @@ public:
 /// pendulum, or functions as in am,sn. Throws input_error for another name.
 std::shared_ptr<const table_subject> table_subject_named(const std::string& what);
 
-/// The problem of --problem, otherwise what is named. Throws input_error if both or neither are given.
+/// The problem of --problem, otherwise what is named. Throws input_error if neither is given.
 std::shared_ptr<const table_subject> table_subject_of(const std::string& what, const problem_options& problem);
 
 /// The request: the subject, and the arguments of its options.
@@ -50,9 +46,6 @@ struct table_order {
     /// The command that makes it, without --out and --jobs.
     std::string command() const;
 };
-
-/// Throws input_error for options that belong to the other kind of table.
-void require_own_options(const table_order& order);
 
 /// The table in the style that a format needs: typed numbers in csv, json, text and latex, decimals in those for
 /// programs.

@@ -52,7 +52,6 @@ int run_table(const table_options& options) {
     table_order order = options.order;
     order.digits = digits_of(options.digits);
     order.subject = table_subject_of(options.what, options.problem);
-    require_own_options(order);
     const table data = table_for(order, format, jobs_of(options.jobs));
     const std::string command = order.command() + " --format " + format + (options.name ? " --name " + name : "");
     options.output.write_content(table_file(order, data, format, name, command));
