@@ -4,9 +4,22 @@
 #include <string>
 #include <vector>
 
-#include "motion/trajectory_request.hpp"
+#include "motion/motion_options.hpp"
+#include "option/options.hpp"
 
 namespace libration {
+
+enum class trajectory_method { exact, series, resummed, uniform, rk4 };
+
+struct trajectory_request {
+    chosen_motion chosen;
+    arithmetic numbers;
+    trajectory_method method;
+    int order;   ///< of a partial sum
+    exact step;  ///< of rk4
+    std::vector<exact> times;
+    int jobs = 1;  ///< threads
+};
 
 /// One time as it is printed. If the digits are correct or proved, they are those of the method's own exact value, not
 /// of its rounding; the error is |theta as printed - the exact solution|.

@@ -7,9 +7,10 @@
 #include "libration/digits/proved_decimals.hpp"
 #include "libration/pendulum/condition.hpp"
 #include "libration/pendulum/energy.hpp"
-#include "motion/typed_times.hpp"
+#include "libration/pendulum/proved_states.hpp"
 #include "run/parallel.hpp"
 #include "table/motion_points.hpp"
+#include "text/input_error.hpp"
 
 namespace libration {
 
@@ -18,6 +19,19 @@ using namespace pendulum;
 namespace {
 
 using rows = std::vector<table_row_cells>;
+
+// On the separatrix omega decreases like exp(-t), below every exponent.
+proved_states::state_text state_at(proved_states& states, const exact& time, const std::string& typed) {
+    try {
+        return states.at(time);
+    } catch (const error& problem) {
+        if (problem.kind() != error_kind::range) {
+            throw;
+        }
+        throw input_error("--times", typed, "has '" + time.text + "', where omega is too small to be printed",
+                          "choose times closer to 0");
+    }
+}
 
 // The condition numbers of one motion, as verify prints them.
 class condition_texts {

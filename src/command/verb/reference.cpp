@@ -8,13 +8,13 @@
 #include <utility>
 
 #include "equation/certificate_file.hpp"
-#include "equation/derivative_options.hpp"
 #include "equation/integrator_options.hpp"
 #include "equation/problem_options.hpp"
 #include "equation/problem_trajectory.hpp"
 #include "equation/solution_table.hpp"
 #include "libration/number/grid.hpp"
 #include "libration/problem/known/pendulum_solution.hpp"
+#include "libration/scalar/list_items.hpp"
 #include "motion/event_options.hpp"
 #include "motion/motion_cells.hpp"
 #include "motion/problem_events.hpp"
@@ -40,12 +40,11 @@ struct reference_options {
     motion_options motion;
     problem_options problem;
     integrator_options integrator;
-    derivative_options derivatives;
     output_options output;
     plot_axes plot;
     event_options events;
     set_options sets;
-    std::optional<std::string> digits, times, motions, columns, jobs, trace, certificate;
+    std::optional<std::string> digits, times, derivatives, motions, columns, jobs, trace, certificate;
     bool check = false;
 };
 
@@ -261,7 +260,7 @@ std::vector<asked_solution> asked_by(const reference_options& options, const std
                                      long digits) {
     std::vector<asked_solution> asked;
     if (options.problem.is_chosen()) {
-        const bool general = options.integrator.integrates() || options.derivatives.differentiate();
+        const bool general = options.integrator.integrates() || options.derivatives;
         for (const family_member& each : family) {
             asked.push_back(problem_of_options(options, each.problem, general));
         }
@@ -271,6 +270,24 @@ std::vector<asked_solution> asked_by(const reference_options& options, const std
         asked.push_back(motion_of_options(options, digits));
     }
     return asked;
+}
+
+// The numbers by which the solution is differentiated: "x(0), x'(0), r".
+std::vector<std::string> derivatives_of(const reference_options& options) {
+    std::vector<std::string> numbers;
+    if (!options.derivatives) {
+        return numbers;
+    }
+    for (const std::string_view each : list_items(*options.derivatives)) {
+        std::string number(each);
+        std::erase(number, ' ');
+        if (number.empty()) {
+            throw input_error("--derivatives", *options.derivatives, "has an empty item",
+                              "write initial values and parameters of the problem, as \"x(0), r\"");
+        }
+        numbers.push_back(std::move(number));
+    }
+    return numbers;
 }
 
 // On all cores if there are several solutions.
@@ -286,7 +303,7 @@ std::vector<partial_table> answered(const std::vector<asked_solution>& asked, co
     on_threads(asked.size(), jobs_of(options.jobs), [&](std::size_t i) {
         progress_of_part to(shown);
         parts[i] = states_of(asked[i], {.scalar = {scalar_kind::proved, digits},
-                                        .derivatives = options.derivatives.numbers(),
+                                        .derivatives = derivatives_of(options),
                                         .check = options.check,
                                         .progress = [&](double part) { to(part); },
                                         .reached = [&](double time, long bits) { to.reached(time, bits); },
@@ -368,7 +385,11 @@ subcommand reference_command(CLI::App& program) {
     options->motion.add_to(*command);
     options->problem.add_to(*command, problem_options::closed_forms::used, problem_options::set_values::lists);
     options->integrator.add_to(*command);
-    options->derivatives.add_to(*command);
+    command
+        ->add_option("--derivatives", options->derivatives,
+                     "with --problem: also the derivatives of every value by these initial values and parameters, each "
+                     "digit proved: \"x(0), x'(0), r\"")
+        ->type_name("LIST");
     options->output.add_to(*command, output_options::columns_option::not_here);
     options->plot.add_to(*command);
     command->add_option("--digits", options->digits, "significant digits, each proved to one unit in the last (50)")
