@@ -20,6 +20,24 @@ std::string undecided_text(const std::string& name, const answer_value& value) {
     return value.bound.empty() ? name + " is not reached" : fmt::format("|{}| < {}", name, value.bound);
 }
 
+}  // namespace
+
+bool has_undecided(const answer& found) {
+    return std::ranges::any_of(found.rows, [](const auto& row) { return std::ranges::any_of(row, is_undecided); });
+}
+
+std::string bounds_of(const answer& found, const std::vector<answer_value>& row) {
+    std::string bounds;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        if (is_undecided(row[i])) {
+            bounds += (bounds.empty() ? "" : "; ") + undecided_text(found.names[i], row[i]);
+        }
+    }
+    return bounds;
+}
+
+namespace {
+
 constexpr std::size_t least_width = 9;  // of the names before the values
 
 std::string line_of(const std::string& name, const std::string& value, std::size_t width = least_width) {
@@ -41,10 +59,6 @@ std::string lines_of(const shared_cells::list& cells) {
         text += line_of(name, value.text());
     }
     return text;
-}
-
-bool has_undecided(const answer& found) {
-    return std::ranges::any_of(found.rows, [](const auto& row) { return std::ranges::any_of(row, is_undecided); });
 }
 
 std::vector<column> columns_of_answer(const answer& found, const shared_cells& shared) {
@@ -71,17 +85,6 @@ std::vector<column> columns_of_answer(const answer& found, const shared_cells& s
         columns.push_back({"undecided", ""});
     }
     return columns;
-}
-
-// "|y| < 1.2e-60; |z| < 3e-61".
-std::string bounds_of(const answer& found, const std::vector<answer_value>& row) {
-    std::string bounds;
-    for (std::size_t i = 0; i < row.size(); ++i) {
-        if (is_undecided(row[i])) {
-            bounds += (bounds.empty() ? "" : "; ") + undecided_text(found.names[i], row[i]);
-        }
-    }
-    return bounds;
 }
 
 std::string paragraph_of(const answer& found, const std::vector<answer_value>& row, const std::string& time = {}) {

@@ -46,6 +46,12 @@ partial_table family_table(const std::vector<family_member>& family, const std::
 /// Throws the error of what is missing, once the rest has been written, with the notes on stderr.
 void require_complete(const partial_table& of);
 
+/// Whether a value of it has no digits.
+bool has_undecided(const answer& found);
+
+/// What is known of the values of a row that have no digits: "|y| < 1.2e-60; z is not reached".
+std::string bounds_of(const answer& found, const std::vector<answer_value>& row);
+
 /// The results at these times, with `decimals` as they are printed.
 partial_table states_table(const answer& found, const std::vector<exact>& times,
                            const std::vector<std::string>& decimals, long digits, const shared_cells& shared = {});

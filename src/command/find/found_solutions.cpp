@@ -74,7 +74,7 @@ std::vector<first_guess> first_guesses(const std::vector<std::string>& given,
     return all;
 }
 
-void found_solutions::add_solution(const first_guess& guess, answer found) {
+void found_solutions::keep(const first_guess& guess, answer found) {
     const auto same = std::ranges::find_if(solutions_, [&](const answer& each) { return same_solution(each, found); });
     if (same == solutions_.end()) {
         solutions_.push_back(std::move(found));
@@ -84,12 +84,16 @@ void found_solutions::add_solution(const first_guess& guess, answer found) {
         fmt::format("{} leads to solution {} again", name_of_guess(guess), same - solutions_.begin() + 1));
 }
 
-void found_solutions::add_failure(const first_guess& guess, const error& problem) {
+void guessed_answers::add_failure(const first_guess& guess, const error& problem) {
     if (problem.kind() != error_kind::undecided || !problem.is_about_solution() || guess.empty()) {
         throw error(problem);
     }
     has_failures_ = true;
-    remarks_.push_back(fmt::format("{} leads to no solution: it {}", name_of_guess(guess), problem.reason()));
+    remarks_.push_back(fmt::format("{}: it {}", failure(guess), problem.reason()));
+}
+
+std::string found_solutions::failure(const first_guess& guess) const {
+    return name_of_guess(guess) + " leads to no solution";
 }
 
 table found_solutions::as_table(long digits, bool numbered) const {

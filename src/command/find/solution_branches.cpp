@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "equation/solution_table.hpp"
+
 namespace libration {
 
 namespace {
@@ -13,26 +15,9 @@ std::string name_of_branch(const first_guess& guess) {
     return guess.empty() ? "the branch" : fmt::format("the branch of the first guess {}", fmt::join(guess, ", "));
 }
 
-bool lacks_digits(const answer_value& value) { return value.text.empty(); }
-
-bool any_lacks_digits(const answer& found) {
-    return std::ranges::any_of(found.rows, [](const auto& row) { return std::ranges::any_of(row, lacks_digits); });
-}
-
-// |y'(0)| < 1.2e-60.
-std::string bounds_of_row(const answer& found, const std::vector<answer_value>& row) {
-    std::string bounds;
-    for (std::size_t i = 0; i < row.size(); ++i) {
-        if (lacks_digits(row[i])) {
-            bounds += fmt::format("{}|{}| < {}", bounds.empty() ? "" : "; ", found.names[i], row[i].bound);
-        }
-    }
-    return bounds;
-}
-
 }  // namespace
 
-void solution_branches::add_branch(const first_guess& guess, answer found) {
+void solution_branches::keep(const first_guess& guess, answer found) {
     for (const answer_note& each : found.notes) {
         remarks_.push_back(fmt::format("{} {}", name_of_branch(guess), each.text));
     }
@@ -43,16 +28,12 @@ void solution_branches::add_branch(const first_guess& guess, answer found) {
     branches_.push_back(std::move(found));
 }
 
-void solution_branches::add_failure(const first_guess& guess, const error& problem) {
-    if (problem.kind() != error_kind::undecided || !problem.is_about_solution() || guess.empty()) {
-        throw error(problem);
-    }
-    has_failures_ = true;
-    remarks_.push_back(fmt::format("{} has no first solution: it {}", name_of_branch(guess), problem.reason()));
+std::string solution_branches::failure(const first_guess& guess) const {
+    return name_of_branch(guess) + " has no first solution";
 }
 
 table solution_branches::as_table(long digits, bool numbered) const {
-    const bool undecided = std::ranges::any_of(branches_, any_lacks_digits);
+    const bool undecided = std::ranges::any_of(branches_, has_undecided);
     std::vector<column> columns;
     if (numbered) {
         columns.push_back({"branch", ""});
@@ -78,7 +59,7 @@ table solution_branches::as_table(long digits, bool numbered) const {
             cells.emplace_back(digits);
             cells.emplace_back(branches_[i].rigour);
             if (undecided) {
-                cells.emplace_back(bounds_of_row(branches_[i], row));
+                cells.emplace_back(bounds_of(branches_[i], row));
             }
             data.add_row(std::move(cells));
         }
