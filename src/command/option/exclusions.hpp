@@ -15,7 +15,7 @@ struct option_rule {
     const char* options;
     /// When: terms, separated by blanks, all of which hold. `--out` is given; `--times=inf|0` has one of these values,
     /// `--scalar=ball:*` one that begins so; `--gap|--energy` means one of them, and `!` the contrary of a term. A term
-    /// without dashes is a property of the arguments, of which the command decides.
+    /// without dashes is a positional argument that is given, or a property of the arguments, which the command decides.
     const char* when;
     const char* reason;  ///< {} stands for the value of the first option of `when`
     const char* remedy = "leave it out";

@@ -42,10 +42,17 @@ exact positive_number_of(const std::string& option, const std::string& value) {
     return number;
 }
 
-long digits_of(const std::optional<std::string>& value) {
+void add_digits(CLI::App& command, std::optional<std::string>& value) {
+    command
+        .add_option("--digits", value,
+                    fmt::format("significant digits, each proved to one unit in the last ({})", defaults::digits))
+        ->type_name("D");
+}
+
+long digits_of(const std::optional<std::string>& value, long usual) {
     return value ? reading("--digits", *value, fmt::format("write a number from 1 to {}", most_digits),
                            [&] { return read_digits(*value); })
-                 : 50;
+                 : usual;
 }
 
 int order_of(const std::string& option, const std::string& value) {
@@ -70,13 +77,9 @@ void arithmetic_options::add_to(CLI::App& command, arithmetics offered) {
 }
 
 arithmetic arithmetic_options::choose() const {
-    std::optional<long> digits;
-    if (digits_) {
-        digits = reading("--digits", *digits_, fmt::format("write a number from 1 to {}", most_digits),
-                         [&] { return read_digits(*digits_); });
-    }
+    const auto digits = digits_ ? std::optional(digits_of(digits_)) : std::nullopt;
     if (!scalar_) {
-        const long wanted = digits.value_or(50);
+        const long wanted = digits.value_or(defaults::digits);
         return {{scalar_kind::arbitrary, wanted}, wanted};
     }
     const scalar_spec scalar =

@@ -9,6 +9,7 @@
 
 #include "libration/number/exact.hpp"
 #include "libration/scalar/dispatch.hpp"
+#include "option/defaults.hpp"
 #include "text/table.hpp"
 
 namespace libration {
@@ -28,7 +29,7 @@ struct arithmetic {
     long digits;
 };
 
-/// --digits D and --scalar S: without S, mpfr of the digits asked; without both, mpfr:50.
+/// --digits D and --scalar S: without S, mpfr of the digits asked; without both, mpfr of defaults::digits.
 class arithmetic_options {
 public:
     void add_to(CLI::App& command, arithmetics offered = arithmetics::rounding);
@@ -70,7 +71,7 @@ private:
     std::string offered() const;
 
     std::vector<std::string> formats_{"text", "csv", "json", "latex"};
-    std::string format_ = "text";
+    std::string format_ = defaults::format;
     std::optional<std::string> columns_, out_;
 };
 
@@ -81,8 +82,11 @@ table with_named_columns(const table& data, const std::string& names);
 /// A table in one of the formats that every command has.
 std::string in_format(const std::string& format, const table& data);
 
-/// The --digits D of a command without a choice of arithmetic; 50 where it is not given.
-long digits_of(const std::optional<std::string>& value);
+/// Adds --digits D to a command without a choice of arithmetic, all of whose digits are proved.
+void add_digits(CLI::App& command, std::optional<std::string>& value);
+
+/// The --digits D of a command without a choice of arithmetic.
+long digits_of(const std::optional<std::string>& value, long usual = defaults::digits);
 
 /// The --order N of a method.
 int order_of(const std::string& option, const std::string& value);

@@ -64,8 +64,7 @@ subcommand elliptic_command(CLI::App& program) {
         program.add_subcommand("elliptic", "proved digits of elliptic functions and integrals at any real parameter");
     command->add_option("function", options->function, elliptic_names())->type_name("FUNCTION")->required();
     offer_elliptic(options->said, *command);
-    command->add_option("--digits", options->digits, "significant digits, each proved to one unit in the last (50)")
-        ->type_name("D");
+    add_digits(*command, options->digits);
     options->output.add_to(*command);
     return {command, [options] { return run_elliptic(*options); }};
 }

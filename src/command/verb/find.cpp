@@ -231,8 +231,7 @@ subcommand find_command(CLI::App& program) {
         "parameters, initial values and periodic orbits of any problem, proved to exist, to any number of digits");
     options->problem.add_to(*command);
     options->output.add_to(*command);
-    command->add_option("--digits", options->digits, "significant digits, each proved to one unit in the last (50)")
-        ->type_name("D");
+    add_digits(*command, options->digits);
     command
         ->add_option(
             "--unknown", options->unknowns,

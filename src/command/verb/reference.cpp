@@ -392,8 +392,7 @@ subcommand reference_command(CLI::App& program) {
         ->type_name("LIST");
     options->output.add_to(*command, output_options::columns_option::not_here);
     options->plot.add_to(*command);
-    command->add_option("--digits", options->digits, "significant digits, each proved to one unit in the last (50)")
-        ->type_name("D");
+    add_digits(*command, options->digits);
     command->add_option("--times,--time", options->times, "times: 0,1.5,T/4 or a range 0:20:401")->type_name("LIST");
     command
         ->add_option("--motions", options->motions,

@@ -1,5 +1,7 @@
 // libration series: evaluates the function defined by a list of coefficients: values by partial sums, Pade and endpoint
 // approximants, errors against a reference, poles and zeros, and the plots of its ratios and roots.
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <memory>
 
@@ -20,7 +22,7 @@ namespace {
 struct series_options {
     list_words list;
     std::optional<std::string> digits, out;
-    std::string format = "text";
+    std::string format = defaults::format;
 };
 
 // The tables and figures are written to a temporary directory and moved when all of them are complete.
@@ -45,7 +47,7 @@ void write_list(const list_request& request, const table& values, const std::str
 }
 
 int run_series(const series_options& options) {
-    const long digits = options.digits ? digits_of(options.digits) : 20;
+    const long digits = digits_of(options.digits, defaults::digits_of_list);
     if (options.format != "text" && options.format != "csv" && options.format != "json" && options.format != "latex") {
         throw input_error("--format", options.format, "is not a format", "write text, csv, json or latex");
     }
@@ -85,7 +87,9 @@ subcommand series_command(CLI::App& program) {
         ->add_option("--reference", list.reference,
                      "what values are compared with: a value, a formula in t, or a file with columns time,value")
         ->type_name("R");
-    command->add_option("--digits", options->digits, "significant digits of the values; 20 unless given")
+    command
+        ->add_option("--digits", options->digits,
+                     fmt::format("significant digits of the values; {} unless given", defaults::digits_of_list))
         ->type_name("D");
     command->add_option("--format", options->format, "text, csv, json or latex")
         ->type_name("FORMAT")

@@ -20,7 +20,6 @@ namespace libration {
 
 namespace {
 
-constexpr long usual_digits = 15;
 constexpr long most_digits = 1000;
 
 struct singularities_options {
@@ -117,7 +116,7 @@ int run_singularities(const singularities_options& options) {
     options.output.check();
     const auto figure = options.plot.file(options.output);
     const auto of = options.problem.general_solution();
-    const long digits = options.digits ? digits_of(options.digits) : usual_digits;
+    const long digits = digits_of(options.digits, defaults::digits_of_singularities);
     if (digits > most_digits) {
         throw input_error("--digits", *options.digits, "is more than 1000", "write a smaller number");
     }
@@ -149,7 +148,10 @@ subcommand singularities_command(CLI::App& program) {
                      "the distance from the initial point (default: twice that of the nearest)")
         ->type_name("RHO");
     command->add_flag("--prove", options->prove, "encloses each in a disc, to D digits (theorem C)");
-    command->add_option("--digits", options->digits, "digits of the positions (15)")->type_name("D");
+    command
+        ->add_option("--digits", options->digits,
+                     fmt::format("digits of the positions ({})", defaults::digits_of_singularities))
+        ->type_name("D");
     command->add_flag("--check", options->check,
                       "with --prove: compare with a second proof by another route, exit 1 if they disagree");
     return {command, [options] { return run_singularities(*options); }};

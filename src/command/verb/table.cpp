@@ -18,13 +18,11 @@ namespace libration {
 
 namespace {
 
-constexpr const char* usual_name = "reference_values";
-
 struct table_options {
     std::string what;
     problem_options problem;
     table_order order;
-    output_options output{"csv", {"cpp", "ipp", "numpy", "c", "fortran", "julia", "pari"}};
+    output_options output{defaults::format_of_table, {"cpp", "ipp", "numpy", "c", "fortran", "julia", "pari"}};
     std::optional<std::string> digits, name, jobs;
 };
 
@@ -36,7 +34,7 @@ std::filesystem::path provenance_beside(const std::string& file) {
 std::string name_in_program(const table_options& options) {
     const std::string& format = options.output.format();
     if (!options.name) {
-        return usual_name;
+        return defaults::name_of_array;
     }
     if (!has_comments(format) || format == "numpy") {
         throw input_error("--name", *options.name, "has no meaning for " + format, "leave it out");
@@ -80,8 +78,7 @@ subcommand table_command(CLI::App& program) {
         "a file with a point in each row instead: a motion and a time, or u (phi, x) and m (m1, k)");
     options->order.said.offer(*command, "--columns", "THEIRS=OURS,...",
                               "the names of its columns: t=time,E=energy, - for none of these");
-    command->add_option("--digits", options->digits, "significant digits, each proved to one unit in the last (50)")
-        ->type_name("D");
+    add_digits(*command, options->digits);
     options->output.add_to(*command);
     command->add_option("--name", options->name, "name of the array in cpp, ipp, c, fortran, julia and pari")
         ->type_name("NAME");

@@ -27,8 +27,6 @@ namespace libration {
 
 namespace {
 
-constexpr const char* usual_step = "1e-5";
-
 struct trajectory_options {
     motion_options motion;
     problem_options problem;
@@ -89,7 +87,7 @@ std::vector<method_form>::const_iterator method_among(const std::vector<method_f
 trajectory_request choose(const trajectory_options& options) {
     const auto form = method_among(methods_of_motion, options);
     const auto method = static_cast<trajectory_method>(form - methods_of_motion.begin());
-    const exact step = positive_number_of("--step", options.step.value_or(usual_step));
+    const exact step = positive_number_of("--step", options.step.value_or(defaults::step));
     const arithmetic numbers = options.arithmetic.choose();
     if (method == trajectory_method::rk4 && numbers.scalar.kind == scalar_kind::proved) {
         throw input_error("--scalar", numbers.scalar.name(), "cannot prove a step-by-step integration",
@@ -240,7 +238,8 @@ subcommand trajectory_command(CLI::App& program) {
         ->add_option("--via", options->via,
                      "corners of the path to the times of a problem in the complex plane: 1+i,2+i")
         ->type_name("LIST");
-    command->add_option("--step", options->step, fmt::format("step of rk4 in dimensionless time, else {}", usual_step))
+    command
+        ->add_option("--step", options->step, fmt::format("step of rk4 in dimensionless time, else {}", defaults::step))
         ->type_name("H");
     command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");
     return {command, [options] { return run_trajectory(*options); },

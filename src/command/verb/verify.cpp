@@ -33,7 +33,7 @@ struct verify_options {
     std::optional<std::string> tolerance, relative, ulps, columns;
     bool modulo_turn = false, rounding = false;
     std::optional<std::string> inputs;
-    std::string format = "csv";
+    std::string format = defaults::format_of_table;
     std::optional<std::string> out;
     std::optional<std::string> jobs;
 };
