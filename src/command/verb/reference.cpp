@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <memory>
 #include <utility>
 
@@ -57,13 +56,13 @@ struct asked_solution {
     std::unique_ptr<solution> of;
     std::vector<exact> times;
     std::string typed;  ///< the argument that gave the times, for messages
-    /// Of a motion, with the digits of its constants.
-    std::function<shared_cells(const solution& of, const request& how)> about = {};
+    std::optional<chosen_motion> motion = {};
 };
 
 // The cells that all times of a motion share.
-shared_cells cells_of_motion(const chosen_motion& chosen, const solution& of, const request& how) {
-    const answer constants = *of.constants(how);
+shared_cells cells_of_motion(const asked_solution& asked, const request& how) {
+    const chosen_motion& chosen = *asked.motion;
+    const answer constants = *asked.of->constants(how);
     const auto constant = [&](const char* name) { return number_cell(constants.at(0, name)); };
     const long digits = how.printed_digits();
     const motion& m = chosen.of;
@@ -88,10 +87,7 @@ shared_cells cells_of_motion(const chosen_motion& chosen, const solution& of, co
 
 asked_solution asked_of(chosen_motion chosen, std::vector<exact> times, std::string typed) {
     auto of = solution_of(chosen.of);
-    return {std::move(of), std::move(times), std::move(typed),
-            [chosen = std::move(chosen)](const solution& about, const request& how) {
-                return cells_of_motion(chosen, about, how);
-            }};
+    return {std::move(of), std::move(times), std::move(typed), std::move(chosen)};
 }
 
 partial_table states_of(const asked_solution& asked, const request& how) {
@@ -100,7 +96,7 @@ partial_table states_of(const asked_solution& asked, const request& how) {
         return states_table(asked.of->limits(how), {inf}, {infinite_time}, how.printed_digits());
     }
     try {
-        return states_table(*asked.of, asked.times, how, asked.about ? asked.about(*asked.of, how) : shared_cells{});
+        return states_table(*asked.of, asked.times, how, asked.motion ? cells_of_motion(asked, how) : shared_cells{});
     } catch (const error& problem) {
         if (problem.kind() != error_kind::range || !problem.is_about(error_subject::time)) {
             throw;
@@ -134,37 +130,27 @@ std::vector<asked_solution> motions_of_file(const reference_options& options) {
                           time.there() ? "has times, and --times too" : "has no column 'time'",
                           time.there() ? "leave out --times, or the column by --columns time=-" : "add --times LIST");
     }
-    struct motion_of_rows {
-        chosen_motion chosen;
-        std::vector<exact> times;
-        std::string typed;
-    };
-    std::vector<motion_of_rows> motions;
+    std::vector<asked_solution> motions;
     std::string before;
     for (const point_file::row& row : file.rows()) {
         file.reading(row, [&](const auto& all) {
             motion_cells cells = columns.in(all);
             cells.complete_from(motion_cells::of(options.motion));
             if (motions.empty() || cells.key() != before || !time.there()) {
-                motions.push_back({cells.choose(), {}, options.times.value_or("")});
+                motions.push_back(asked_of(cells.choose(), {}, options.times.value_or("")));
                 before = cells.key();
             }
-            motion_of_rows& here = motions.back();
+            asked_solution& here = motions.back();
             if (time.there()) {
                 here.typed = time.in(all).text;
-                here.times.push_back(time_for(time.in(all), here.chosen.of.regime()));
+                here.times.push_back(time_for(time.in(all), here.motion->of.regime()));
             } else {
-                here.times = times_of(here.typed, here.chosen.of.regime());
+                here.times = times_of(here.typed, here.motion->of.regime());
             }
             return true;
         });
     }
-    std::vector<asked_solution> asked;
-    asked.reserve(motions.size());
-    for (motion_of_rows& each : motions) {
-        asked.push_back(asked_of(std::move(each.chosen), std::move(each.times), std::move(each.typed)));
-    }
-    return asked;
+    return motions;
 }
 
 // Calls write(request) with the progress of a certificate, after the values themselves, which do not depend on it.
