@@ -59,14 +59,14 @@ table table_for(const table_order& order, const std::string& format, int jobs) {
     return order.subject->rows(order.said, order.digits, style, jobs);
 }
 
-bool has_comments(const std::string& format) { return writer_of(format) != nullptr; }
+bool has_comments(const std::string& format) { return is_program_format(format); }
 
 std::string table_file(const table_order& order, const table& data, const std::string& format, const std::string& name,
                        const std::string& command) {
     if (!has_comments(format)) {
         return in_format(format, data);
     }
-    return writer_of(format)(data, {name, comment_lines(order, data, command)});
+    return program_text(format, data, {name, comment_lines(order, data, command)});
 }
 
 std::string provenance_json(const table_order& order, const table& data, const std::string& command) {
