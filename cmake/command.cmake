@@ -25,19 +25,32 @@ add_custom_target(libration-version
     COMMENT "Reading the commit"
     VERBATIM)
 
-# The registry: NAME.cpp in studies/ or a subdirectory defines libration::studies::NAME(), and nothing else lists
-# studies.
+# The registry: the files of studies/ define const study& NAME(), one for each study, and nothing else lists studies.
 file(GLOB_RECURSE study_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/studies/*.cpp)
 set(study_declarations "")
 set(study_entries "")
-set(study_names ${study_sources})
-list(TRANSFORM study_names REPLACE "^.*/|[.]cpp$" "")
+set(study_names "")
+foreach(source IN LISTS study_sources)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source})
+    file(STRINGS ${source} definitions REGEX "^const study& [a-z0-9_]+[(][)] {")
+    list(TRANSFORM definitions REPLACE "^const study& ([a-z0-9_]+).*$" "\\1")
+    list(APPEND study_names ${definitions})
+endforeach()
 list(SORT study_names)
 foreach(name IN LISTS study_names)
     string(APPEND study_declarations "const study& ${name}();\n")
     list(APPEND study_entries "&studies::${name}()")
 endforeach()
 list(JOIN study_entries ", " study_entries)
+# The data that studies compare with, embedded by name.
+file(GLOB_RECURSE data_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/studies/*.csv)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${data_files})
+set(data_entries "")
+foreach(file IN LISTS data_files)
+    cmake_path(GET file STEM name)
+    file(READ ${file} text)
+    string(APPEND data_entries "        {\"${name}\", R\"csv(${text})csv\"},\n")
+endforeach()
 configure_file(cmake/registry.cpp.in ${generated_dir}/registry.cpp @ONLY)
 
 set(study_rooms text run option equation journal sweep)

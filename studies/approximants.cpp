@@ -276,7 +276,7 @@ const study& approximants() {
             .question = "How large is the error of the asymptotic approximants of a problem over its parameters?",
             .reading = "The largest error from the start to where the solution has become its far behaviour, against "
                        "the order N of the series: of the asymptotic approximant, one curve for each value of the "
-                       "parameters; beside it, the least error over all N against a parameter, with that of the Pade "
+                       "parameters; beside it, the error at the largest N against a parameter, with that of the Pade "
                        "approximants and of the series. A free start, as the wall shear of Falkner and Skan, is the "
                        "one that meets the condition at infinity: the second table has it.",
             .parameters = {{"--orders", "4:60:15", "N, last power of the series"},

@@ -1,108 +1,54 @@
 # divergence: partial sums about the bottom against the exact angle (above) and their error (below), one column per
-# energy. Columns: energy,order,time,periods,theta,theta_exact,error,log10_error,log10_abs_theta,gap;
-# of _radius: energy,tstar,radius,period,radius_over_tstar,gap. Angles beyond 1e300 are excluded by their log10.
+# energy.
 #
 # For any equation: the solution and its partial sums against time, one panel per unknown, for the first combination of
 # the parameters; dotted lines at the radius of convergence on either side of the initial point.
-# Columns: <axes>,order,time,value,solution,error,log10_error,log10_abs_value,unknown; in _radius reach, radius, ...
 if (equation ne '') {
-    load scripts.'/shared/panels.gp'
-
+    load scripts.'/shared/equation.gp'
     radii = table_of('_radius')
-    eval axes_before('order')
-    orders = sorted(main, k + 1, '1')
-    n = words(orders)
-    place_x = place(main, 'time')
-    curve(u, o) = both(both(in_case(word(all, 1)), of_unknown(main, u)), sprintf('$%d == %s', k + 1, o))
-    eval grid(drawn, 3)
-    foot = foot_for(shown_in_key(n) + 2, 12)
-    do for [kind in terminals] {
-        eval figure_of(kind, stem)
-        eval heading('Partial sums of '.called, 'about the start'.(word(all, 1) eq '-' ? '' : ', '.case_name(main, k, word(all, 1))).left_out)
-        do for [p=1:drawn] {
-            eval panel_of_unknown(p)
-            set xlabel 'time / unit of the variable'
-            set ylabel u
-            eval rising('x', span(main, 'time', '1', 0, -1), span(main, 'time', '1', 1, 1))
-            low = span(main, 'solution', of_unknown(main, u), 0, -1)
-            high = span(main, 'solution', of_unknown(main, u), 1, 1)
-            set yrange [low - larger(0.4 * (high - low), 1e-9):high + larger(0.4 * (high - low), 1e-9)]
-            r = first_of(radii, place(radii, 'radius'), both(in_case(word(all, 1)), of_unknown(radii, u)))
-            if (strlen(r) > 0) { do for [sign in '-1 1'] { if ((sign + 0) * number(r) >= span(main, 'time', '1', 0, -1) && (sign + 0) * number(r) <= span(main, 'time', '1', 1, 1)) { set arrow int(sign + 2) from (sign + 0) * number(r), graph 0 to (sign + 0) * number(r), graph 1 nohead lc rgb '#888888' dt 3 lw 1.5 } } }
-            plot rows(main, place_x, place(main, 'solution'), curve(u, word(orders, 1))) using 1:2 with lines lw 3 lc rgb '#000000', \
-                 for [i=1:n] rows(main, place_x, place(main, 'value'), curve(u, word(orders, i))) using 1:2 with lines lw 1.8 lc rgb n <= 5 ? shade[i] : colour(i, n)
-            unset arrow
-            eval no_heading
-        }
-        eval key_strip
-        plot NaN with lines lw 3 lc rgb '#000000' title 'solution', \
-             NaN with lines dt 3 lw 1.5 lc rgb '#888888' title 'radius', \
-             for [i=1:n] NaN with lines lw 1.8 lc rgb n <= 5 ? shade[i] : colour(i, n) title in_key(i, n) ? 'N = '.word(orders, i) : ''
-        eval figure_done
-    }
+    eval first_case('order')
+    title_text = 'Partial sums of '.called
+    below_text = 'about the start'.in_first
+    hue_by = 'order'; hue_name(N) = 'N = '.N
+    x = 'time'; x_name = 'time / unit of the variable'
+    y_axis = "eval extent('y', table, 'solution', of_panel('1')); set yrange [y_low - larger(0.4 * (y_high - y_low), 1e-9):y_high + larger(0.4 * (y_high - y_low), 1e-9)]"
+    prepare = "y_name = this; eval first_cell('r', radii, 'radius', of_panel('1')); if (strlen(r)) { do for [sign in '-1 1'] { R = sign * number(r); if (R >= x_low && R <= x_high) { set arrow from R, graph 0 to R, graph 1 nohead lc rgb '#888888' dt 3 lw 1.5 } } }"
+    tone(h) = words(hues) <= 5 ? shade[h] : colour(h, words(hues))
+    layers = once('solution', "is('order', word(hues, 1))", "lines lw 3 lc rgb '#000000'").', '.by_hue('value', '1', 'lines lw 1.8 lc rgb tone(h)')
+    key = key_entry("lines lw 3 lc rgb '#000000'", "'solution'").', '.key_entry("lines dt 3 lw 1.5 lc rgb '#888888'", "'radius'") \
+        .', '.key_of_hues('lines lw 1.8 lc rgb tone(h)')
+    eval seen('hues', table, 'order', always)
+    entries = shown_in_key(words(hues)) + 2; letters = 12
+    load scripts.'/shared/panels.gp'
     exit
 }
 
 load scripts.'/style.gp'
-
-main = data.'/divergence.csv'
-of_radius = data.'/divergence_radius.csv'
-energies = seen(of_radius, 1, '1')
-orders = sorted(main, 2, '1')
-n = words(orders)
-tone(i) = n <= 6 ? shade[word('4 6 2 3 5 1', i) + 0] : colour(i, n)     # neighbours far apart
-columns = smaller(words(energies), 3)
-known(e, c) = number(first_of(of_radius, c, sprintf('$1 == "%s"', e)))
-rows_of(e) = count_of(main, sprintf('$1 == "%s" && $2 == %s', e, word(orders, 1)))
-
-# Energies are compared as text: 2 - 1e-20 differs from 2.
-of(e, i) = e.','.word(orders, i)
-tame = '($9 == "-inf" || $9 + 0 < 2 ? $5 : $5 ~ /^-/ ? "-100" : "100")'
-dash(i) = n <= 6 ? i + 1 : 1
-
-across = columns
-down = 2
-panel_w = columns == 1 ? 860 : columns == 2 ? 590 : 420
-panel_h = 340
-foot = foot_for(shown_in_key(n) + 1, 12)
-low = larger(least(main, '8', '1', -16), -20)
-high = smaller(greatest(main, '8', '1', 0), 8)
-do for [kind in terminals] {
-    eval figure_of(kind, 'divergence')
-    eval heading('Taylor series about the bottom: it diverges at R', 'R is the radius of convergence, T* the time from the bottom to the top'.(words(energies) > columns ? sprintf('; %d of %d energies', columns, words(energies)) : ''))
-    set lmargin 9; set rmargin 3; set tmargin 2
-    do for [c=1:columns] {
-        e = pick(energies, columns, c)
-        which = sprintf('$1 == "%s"', e)
-        tstar = known(e, 2); reach = known(e, 3)
-        below = least(main, '6', which, 0); above = greatest(main, '6', which, 1)
-        first = least(main, '3', which, 0); last = greatest(main, '3', which, 1)
-        height = above > below ? above - below : 1
-        apart = rows_of(e) > 80 ? rows_of(e)/40 : 1     # rows between two circles
-        set xrange [first:last > first ? last : first + 1]
-        set arrow 1 from reach, graph 0 to reach, graph 1 nohead lc rgb '#555555' lw 1.2
-        set arrow 2 from tstar, graph 0 to tstar, graph 1 nohead lc rgb '#555555' lw 1.2 dt 2
-        eval panel(c)
-        set title 'E = '.energy_name(e, first_of(of_radius, 6, which)).(first_of(of_radius, 6, which)[1:1] eq '-' ? ' (rotation)' : ' (libration)') offset 0, -0.5
-        eval upper_panel
-        if (c == 1) { set ylabel 'angle θ / rad' } else { unset ylabel }
-        set yrange [below - 0.35*height:above + 0.35*height]
-        unset key
-        plot for [i=1:n] parts_at(main, '$3', tame, '1 2', of(e, i), '1') using 1:2 with lines lw 2.2 dt dash(i) lc rgb tone(i), \
-             parts_at(main, '$3', '$6', '1 2', of(e, 1), sprintf('(NR - 2) %% %d == 0', apart)) using 1:2 with points pt 6 ps 0.8 lc rgb '#222222'
-        eval no_heading
-        eval panel(c + columns)
-        eval lower_panel
-        set xlabel t_axis
-        if (c == 1) { set ylabel error_axis } else { unset ylabel }
-        set yrange [low:high]
-        if (reach <= last) { set label 1 'R' at reach, graph 0.03 left offset 0.5, 0 }
-        if (tstar <= last) { set label 2 'T*' at tstar, graph 0.03 left offset 0.5, 0 }
-        plot for [i=1:n] parts_at(main, '$3', '$8', '1 2', of(e, i), '$8 != "-inf"') using 1:2 with lines lw 2.2 dt dash(i) lc rgb tone(i)
-        unset label; unset arrow
-    }
-    eval key_strip
-    plot for [i=1:n] NaN with lines lw 2.2 dt dash(i) lc rgb tone(i) title in_key(i, n) ? 'N = '.word(orders, i) : '', \
-         NaN with points pt 6 ps 0.8 lc rgb '#222222' title 'exact'
-    eval figure_done
-}
+figure = 'divergence'
+table = data.'/divergence.csv'
+radii = data.'/divergence_radius.csv'
+title_text = 'Taylor series about the bottom: it diverges at R'
+below_text = 'R is the radius of convergence, T* the time from the bottom to the top'
+eval energy_names(radii)
+panel_by = 'energy'; most_panels = 3; rows_down = 2
+hue_by = 'order'; hue_name(N) = 'N = '.N
+eval seen('hues', table, 'order', '1')
+n = words(hues)
+tone(h) = n <= 6 ? shade[word('4 6 2 3 5 1', h) + 0] : colour(h, n)     # neighbours far apart
+dash(h) = n <= 6 ? h + 1 : 1
+x = 'time'; x_name = 'time t / (ℓ/g)^{1/2}, t = 0 at the bottom'
+x_axis = "eval extent('x', table, 'time', of_panel('1')); set xrange [x_low:x_high]"
+eval extent('errors', table, 'log10_error', '1')
+mark_at(t, name, style) = sprintf("set arrow from %.9g, graph 0 to %.9g, graph 1 nohead lc rgb '#555555' lw 1.2 %s; set label '%s' at %.9g, graph 0.03 left offset 0.5, 0", t, t, style, name, t)
+prepare = "eval first_cell('T', radii, 'tstar', \"is('energy', this)\"); eval first_cell('R', radii, 'radius', \"is('energy', this)\"); eval first_cell('gap', radii, 'gap', \"is('energy', this)\"); panel_title = 'E = '.energy_name(this, gap).(gap[1:1] eq '-' ? ' (rotation)' : ' (libration)'); if (row == 1) { set format x ''; unset xlabel; set bmargin 1; eval upper } else { set format x '%g'; panel_title = ''; eval lower }"
+finish = 'unset label'
+upper = "y_name = 'angle θ / rad'; eval extent('y', table, 'theta_exact', of_panel('1')); y_axis = sprintf('set yrange [%g:%g]', y_low - 0.35 * larger(y_high - y_low, 1), y_high + 0.35 * larger(y_high - y_low, 1)); eval mark_at(number(T), '', 'dt 2'); eval mark_at(number(R), '', ''); layers = above"
+lower = "y_name = error_axis; y_axis = sprintf('set yrange [%g:%g]', larger(errors_low, -20), smaller(errors_high, 8)); eval mark_at(number(T), 'T*', 'dt 2'); eval mark_at(number(R), 'R', ''); layers = below"
+# Angles beyond 100 are out of sight, also those beyond the range of double.
+tame = "at('log10_abs_theta') > 2 ? (substr(strcol('theta'), 1, 1) eq '-' ? -100 : 100) : at('theta')"
+above = by_hue(tame, '1', 'lines lw 2.2 dt dash(h) lc rgb tone(h)') \
+    .', '.once('theta_exact', "is('order', word(hues, 1))", "lines lw 1.5 lc rgb '#888888'")
+below = by_hue('log10_error', '1', 'lines lw 2.2 dt dash(h) lc rgb tone(h)')
+key = key_of_hues('lines lw 2 dt dash(h) lc rgb tone(h)').', '.key_entry("lines lw 1.5 lc rgb '#888888'", "'exact'")
+entries = shown_in_key(n) + 1; letters = 12
+load scripts.'/shared/panels.gp'

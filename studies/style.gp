@@ -1,7 +1,7 @@
 # The common style of all figures, and the functions by which their scripts read tables. A script is called with `data`
-# (directory of the CSV), `target` (of the drawings), `scratch` (of temporary files) and `scripts` (this directory),
-# loads this file, and draws once for each name in `terminals`. Axes, panels and keys follow from the tables: no script
-# depends on the default parameters.
+# (directory of the CSV), `tables` (the names of all CSV), `target` (of the drawings) and `scripts` (this directory), loads
+# this file, and draws once for each name in `terminals`. Axes, panels and keys follow from the tables: no script depends
+# on the default parameters.
 #
 # Conventions: energies, times and orders increase to the right; log10 |2 - E| decreases to the right, towards the
 # separatrix; errors are log10 of radians and increase upwards. The series is dashed, its resummation solid, proved or
@@ -44,67 +44,47 @@ colour(i, n) = n <= 6 ? shade[i] : ramp((i - 1.0) / (n - 1))
 mark_of(i) = mark[(i - 1) % 6 + 1]
 in_key(i, n) = n <= 8 || i == 1 || i == n || int((i - 1) * 7.0 / (n - 1)) != int((i - 2) * 7.0 / (n - 1))
 # Few curves have distinct dashes.
-line_of(j) = shown <= 6 ? j : 1
-dash_of(method) = method eq 'series' ? 2 : 1
+line_of(h) = words(hues) <= 6 ? h : 1
 
-# --- results of shell commands. Each command is run once, because a process costs more than a curve and every terminal
-# needs the same: command and output k of `shell_knows`, the last one at `shell_at`, which is followed by the next in
-# the same order.
-array shell_asked[20000]
-array shell_said[20000]
-shell_knows = 0
-shell_at = 0
-is_known(q) = shell_at < shell_knows && shell_asked[shell_at + 1] eq q ? (shell_at = shell_at + 1) \
-    : (shell_at = 0, shell_knows > 0 ? sum [k=1:shell_knows] (shell_asked[k] eq q ? (shell_at = k) : 0) : 0, shell_at)
-learnt(q, answer) = (shell_knows = shell_knows + 1, shell_at = shell_knows, shell_asked[shell_at] = q, shell_said[shell_at] = answer)
-# The shell is replaced by awk if the command is awk alone.
-at_once(command) = (command[1:4] eq 'awk ' ? 'exec ' : '').command
-ask(command) = is_known(command) ? shell_said[shell_at] : learnt(command, system(at_once(command)))
-# The file in `scratch` of the rows that a command prints.
-points_by(command) = is_known('> '.command) ? shell_said[shell_at] : points_in(sprintf('%s/%d.csv', scratch, shell_knows + 1), command)
-points_in(file, command) = (system(at_once(command)." > '".file."'"), learnt('> '.command, written(file)))
-# An incomplete file of points ends the script, because this function is undefined.
-written(file) = GPVAL_SYSTEM_ERRNO == 0 ? file : points_could_not_be_written_to(file)
-
-# --- contents of a table. `where` is a condition of awk on the cells $1, $2, ...; v() reads a number or a fraction.
-awk_v = 'BEGIN { CONVFMT = OFMT = "%.15g" } function v(s, f) { return split(s, f, "/") == 2 ? f[1] / f[2] : s + 0 } '
-# key() joins the cells of a row in the columns 'c c ...' to "v,v,...".
-awk_key(columns) = awk_v."function key(i, k) { k = $of[1]; for (i = 2; i <= parts; ++i) k = k \",\" $of[i]; return k } BEGIN { parts = split(\"".columns."\", of, \" \") } "
+# --- cells of a table. Scripts select rows by conditions of gnuplot, such as is('method', 'series'), and list the values
+# of columns; they compute no data: what is drawn is in the tables.
 # gnuplot reads 1e-6 as an integer 1 followed by other characters.
 number(s) = (strstrt(s, 'e') > 0 && strstrt(s, '.') == 0 ? s[1:strstrt(s, 'e') - 1].'.0'.s[strstrt(s, 'e'):*] : s) + 0.0
-exists_file(file) = ask("test -f '".file."' && echo 1 || echo 0") + 0
-# The values of a column as written, in the order of the table; or by size.
-seen(file, c, where) = ask("awk -F, '".awk_v."NR > 1 && (".where.") && $".c." != \"\" && !s[$".c."]++ { print $".c." }' '".file."'")
-sorted(file, c, where) = ask("awk -F, '".awk_v."NR > 1 && (".where.") && $".c." != \"\" && !s[$".c."]++ { print v($".c."), $".c." }' '".file."' | sort -g | cut -d' ' -f2")
-count_of(file, where) = ask("awk -F, '".awk_v."NR > 1 && (".where.") { ++n } END { print n + 0 }' '".file."'") + 0
-first_of(file, c, where) = ask("awk -F, '".awk_v."NR > 1 && (".where.") { print $".c."; exit }' '".file."'")
-# The last cell of a column in the rows selected by `where` whose columns 'c c ...' of `keys` have the values "v,v,...";
-# '' if there is none. One command for all values.
-cells(file, c, keys, where) = ask("awk -F, '".awk_key(keys)."NR > 1 && (".where.") && $".c." != \"\" { cell[key()] = $".c." } END { for (k in cell) print k, cell[k] }' '".file."'")
-second_of_pair(lines, first) = (shell_found = strstrt("\n".lines, "\n".first.' '), shell_found ? word(lines[shell_found:*], 2) : '')
-cell_at(file, c, keys, values, where) = second_of_pair(cells(file, c, keys, where), values)
-or_0(cell) = cell eq '' ? 0 : cell + 0
-# The least and the greatest finite number of the columns 'c c ...'; `otherwise` if there is none.
-extremes(file, cs, where) = ask("awk -F, '".awk_v."BEGIN { k = split(\"".cs."\", c, \" \") } NR > 1 && (".where.") { for (i = 1; i <= k; ++i) if ($c[i] != \"\" && $c[i] !~ /inf|nan/) { y = v($c[i]); if (!n++) m = M = y; if (y < m) m = y; if (y > M) M = y } } END { if (n) print m, M }' '".file."'")
-extreme(both, i, otherwise) = both eq '' ? otherwise + 0.0 : number(word(both, i))
-least(file, cs, where, otherwise) = extreme(extremes(file, cs, where), 1, otherwise)
-greatest(file, cs, where, otherwise) = extreme(extremes(file, cs, where), 2, otherwise)
-# Columns x and y of the rows selected by a condition, then a blank line and a point outside the range: gnuplot warns of
-# a file without points, and runs for [i=1:0] once.
-rows(file, x, y, where) = points_by("awk -F, '".awk_v."BEGIN { print \"x,y\" } NR > 1 && (".where.") && $".y." != \"\" && $".y." !~ /inf|nan/ { print v($".x.") \",\" $".y." } END { print \"\\n1e99,1e99\" }' '".file."'")
-# The same for many curves by reading the table once: of the rows selected by `where` those whose columns 'c c ...' of
-# `keys` have the values "v,v,...". x and y are expressions of awk in parts_at, columns in rows_at. awk prints the
-# common prefix of its files' names and the key of each file, from 1 on; file 0 is empty. If there are many files, some
-# are closed between two rows: a process may have about a thousand open.
-parts(file, x, y, keys, where) = parts_asked('parts '.file.' '.x.' '.y.' '.keys.' '.where, file, x, y, keys, where)
-parts_asked(question, file, x, y, keys, where) = is_known(question) ? shell_said[shell_at] \
-    : learnt(question, parts_in(sprintf('%s/%d', scratch, shell_knows + 1), file, x, y, keys, where))
-parts_in(stem, file, x, y, keys, where) = (shell_words = system("exec awk -F, '".awk_key(keys)."function put(i, s) { if (i < 400) print s > name[i]; else { print s >> name[i]; close(name[i]) } } function head(i) { name[i] = \"".stem."-\" i \".csv\"; put(i, \"x,y\") } BEGIN { head(0) } NR > 1 && (".where.") { k = key(); if (!(k in at)) { at[k] = ++n; words = words \" \" k; head(n) } put(at[k], (".x.") \",\" (".y.")) } END { for (i = 0; i <= n; ++i) put(i, \"\\n1e99,1e99\"); print words }' '".file."'"), written(stem).shell_words)
-part_of(answer, values) = (shell_found = strstrt(answer.' ', ' '.values.' '), sprintf('%s-%d.csv', word(answer, 1), shell_found ? words(answer[1:shell_found]) : 0))
-parts_at(file, x, y, keys, values, where) = part_of(parts(file, x, y, keys, where), values)
-rows_at(file, x, y, keys, values, where) = parts_at(file, sprintf('v($%d)', x), sprintf('$%d', y), keys, values, sprintf('(%s) && $%d != "" && $%d !~ /inf|nan/', where, y, y))
-# The same with a gap in the line where y is not finite.
-broken_at(file, x, y, keys, values) = parts_at(file, sprintf('v($%d)', x), sprintf('$%d', y), keys, values, sprintf('$%d != ""', y))
+quotient(s) = number(s[1:strstrt(s, '/') - 1]) / number(s[strstrt(s, '/') + 1:*])
+# The number in column c, which may be a fraction; whether its cell is this word; whether it has one.
+at(c) = strstrt(strcol(c), '/') ? quotient(strcol(c)) : column(c)
+is(c, word) = strcol(c) eq word
+has(c) = strlen(strcol(c)) > 0
+finite(v) = v > -1e300 && v < 1e300 ? v : NaN
+visible(v) = v == v ? v : 1e999
+# x and y of a row that is drawn or not; the first row is an invisible point if it is not drawn, because gnuplot warns of
+# curves without points.
+kept(drawn, v) = drawn || column(0) == 0 ? v : NaN
+shown_y(drawn, v) = drawn ? finite(v) : column(0) == 0 ? 1e999 : NaN
+broken_y(drawn, v) = drawn ? (finite(v) == v ? v : 1e999) : column(0) == 0 ? 1e999 : NaN
+column_text(c) = strstrt('123456789', c[1:1]) ? c : "'".c."'"
+in_row(c) = strstrt(c, '(') ? c : sprintf('at(%s)', column_text(c))
+# A column is named, or counted from 1. The rows of a file with a condition, as the first part of an element of plot: columns or expressions x and y. A row
+# without y does not break a line, or it does.
+rows(file, x, y, where) = sprintf("'%s' %s using (kept(%s, %s)):(shown_y(%s, %s))", file, row_range, where, in_row(x), where, in_row(y))
+broken_rows(file, x, y, where) = sprintf("'%s' %s using (kept(%s, %s)):(broken_y(%s, %s))", file, row_range, where, in_row(x), where, in_row(y))
+# Whether a table has a column c.
+has_column(name, file, c) = sprintf("stats '%s' every ::0::0 using (%s = sum [i_=1:60] (columnhead(i_) eq '%s'), 0) nooutput", file, name, c)
+# Where only some of the rows are read: 'every ::FIRST::LAST'.
+row_range = ''
+both(a, b) = a eq '1' ? b : b eq '1' ? a : '('.a.') && ('.b.')'
+# Commands, to be run by eval. The values of a column as quoted words in the order of the table: list = '"a" "b"'.
+listed(list, word) = strstrt(list.' ', ' "'.word.'" ')
+every_row(file, what) = sprintf("stats '%s' %s using (%s, 0) nooutput", file, row_range, what)
+seen(list, file, c, where) = sprintf("%s = ''; ", list).every_row(file, sprintf("(%s) && has(%s) && !listed(%s, strcol(%s)) ? (%s = %s.' \"'.strcol(%s).'\"') : 0", where, column_text(c), list, column_text(c), list, list, column_text(c)))
+# Whether a table exists: `tables` are the names of all.
+exists_file(file) = strstrt(' '.tables.' ', ' '.file[strlen(data) + 2:*].' ') > 0
+# The first cell of a column, or the last; the number of rows; the least and the greatest number of columns 'c c ...' as
+# NAME_low and NAME_high, which are 0 and 1 if there is none.
+first_cell(name, file, c, where) = sprintf("%s = ''; ", name).every_row(file, sprintf("%s eq '' && (%s) ? (%s = strcol(%s)) : 0", name, where, name, column_text(c)))
+last_cell(name, file, c, where) = sprintf("%s = ''; ", name).every_row(file, sprintf("(%s) && has(%s) ? (%s = strcol(%s)) : 0", where, column_text(c), name, column_text(c)))
+count_of(name, file, where) = sprintf("%s = 0; ", name).every_row(file, sprintf("(%s) ? (%s = %s + 1) : 0", where, name, name))
+extent(name, file, cs, where) = sprintf("%s_low = 1e300; %s_high = -1e300; do for [c in '%s'] { ", name, name, cs).every_row(file, sprintf("(%s) ? (cell_ = finite(at(strstrt('123456789', c[1:1]) ? int(c) : c)), cell_ < %s_low ? (%s_low = cell_) : 0, cell_ > %s_high ? (%s_high = cell_) : 0) : 0", where, name, name, name, name)).sprintf(" }; if (%s_low > %s_high) { %s_low = 0.0; %s_high = 1.0 }", name, name, name, name)
 pick(list, most, j) = words(list) <= most ? word(list, j) : word(list, 1 + int((j - 1) * (words(list) - 1) / (most - 1.0) + 0.5))
 smaller(a, b) = a < b ? a : b
 larger(a, b) = a > b ? a : b
@@ -113,25 +93,32 @@ larger(a, b) = a > b ? a : b
 # 2 - 10^{-20} by its gap.
 tens(m, e) = (m eq '1' ? '' : m.'·').'10^{'.(e[1:1] eq '-' ? '−'.e[2:*] : e).'}'
 in_powers(s) = s[1:1] eq '-' ? '−'.in_powers(s[2:*]) : strstrt(s, 'e') ? tens(s[1:strstrt(s, 'e') - 1], s[strstrt(s, 'e') + 1:*]) : s
-printed(form, s) = ask("printf '".form."' '".s."' | sed 's/e\\([+-]\\)0*/e\\1/; s/e+/e/'")
+swapped(s, a, b) = (at_ = strstrt(s, a)) ? s[1:at_ - 1].b.swapped(s[at_ + strlen(a):*], a, b) : s
+unpadded(s) = strlen(s) > 1 && s[1:1] eq '0' ? unpadded(s[2:*]) : s
+trimmed(s) = s[strlen(s):*] eq '0' ? trimmed(s[1:strlen(s) - 1]) : s[strlen(s):*] eq '.' ? s[1:strlen(s) - 1] : s
+exponent_of(s) = (s[1:1] eq '-' ? '-' : '').unpadded(s[2:*])
+shortened(s) = (at_ = strstrt(s, 'e')) ? s[1:at_].exponent_of(s[at_ + 1:*]) : s
+printed(form, s) = shortened(sprintf(form, number(s)))
+scientific(s) = (at_ = strstrt(s, 'e'), trimmed(s[1:at_ - 1]).'e'.exponent_of(s[at_ + 1:*]))
 tidy(s) = printed('%.6g', s)
 number_name(s) = in_powers(strlen(s) > 9 && !strstrt(s, 'e') ? printed('%.5g', s) : s)
-small_number_name(s) = in_powers(abs(number(s)) < 1e-3 ? ask("printf '%.5e' '".s."' | sed 's/0*e/e/; s/\\.e/e/; s/e\\([+-]\\)0*/e\\1/'") : tidy(s))
+small_number_name(s) = in_powers(abs(number(s)) < 1e-3 ? scientific(sprintf('%.5e', number(s))) : tidy(s))
 from_two(g) = g[1:1] eq '-' ? '2 + '.small_number_name(g[2:*]) : '2 − '.small_number_name(g)
 energy_name(e, g) = strlen(e) <= 9 && !strstrt(e, 'e') ? e : strlen(g) > 0 && abs(number(g)) < 0.1 ? from_two(g) : number_name(e)
 
 # --- words of the tables as a reader writes them: arithmetics, sums for T*, tests of the radius and problems.
 arithmetic_name(s) = s eq 'long-double' ? 'long double' : s[1:5] eq 'mpfr:' ? s[6:*].' digits' : s[1:5] eq 'ball:' ? 'proved, '.s[6:*].' digits' : s
 in_arithmetic(s) = s[1:5] eq 'mpfr:' ? 'with '.arithmetic_name(s) : s[1:5] eq 'ball:' ? 'proved' : 'in '.arithmetic_name(s)
+approximation_name(m) = m eq 'resummed' ? 'resummation' : m eq 'pade' ? 'Padé' : m eq 'asymptotic' ? 'asymptotic approximant' : m
 rule_name(r) = r eq 'agm' ? 'exact T*' : (r[1:1] eq 's' ? 'series' : 'resummation').', N = '.r[strstrt(r, ':') + 1:*]
-test_name(m) = ask("echo '".m."' | sed 's/domb-sykes/Domb-Sykes/; s/mercer-roberts/Mercer-Roberts/; s/hunter-guerrieri/Hunter-Guerrieri/; s/\\([a-z]\\)-\\([a-z0-9]\\)/\\1 \\2/g'")
+test_name(m) = swapped(swapped(swapped(swapped(swapped(m, 'domb-sykes', 'Domb~Sykes'), 'mercer-roberts', 'Mercer~Roberts'), 'hunter-guerrieri', 'Hunter~Guerrieri'), '-', ' '), '~', '-')
 # Problems of the catalogue with the names of persons and abbreviations as they are written.
-surnames = 'Arenstorf Blasius Brusselator Oregonator Duffing Falkner Skan Nagumo Heiles Kepler Lane Emden Lorenz Lotka Volterra Rayleigh Riccati Robertson Sakiadis Thomas Fermi Toda Pol Weierstrass Flierl Petviashvili Chazy'
-pairs = 'Falkner-Skan FitzHugh-Nagumo Hénon-Heiles Lane-Emden Lotka-Volterra Thomas-Fermi Flierl-Petviashvili'
-capital_rules = "s/^detest \\(.*\\)$/DETEST \\U\\1/; s/^stiff \\([a-f][1-6]\\)/stiff \\U\\1/; s/pollu/POLLU/; s/fitzhugh/FitzHugh/; s/henon/Hénon/; s/painleve/Painlevé/; s/hires/HIRES/; s/^se\\?ir/\\U&/; s/japan/Japan/"
-do for [each in surnames] { capital_rules = capital_rules.sprintf('; s/\<%s\>/\u&/I', each) }
-do for [each in pairs] { capital_rules = capital_rules.sprintf('; s/%s/%s/', each[1:strstrt(each, '-') - 1].' '.each[strstrt(each, '-') + 1:*], each) }
-problem_name(p) = ask("printf '%s' '".p."' | tr '_' ' ' | sed '".capital_rules."'")
+pairs = 'falkner_skan=Falkner-Skan fitzhugh_nagumo=FitzHugh-Nagumo henon_heiles=Hénon-Heiles lane_emden=Lane-Emden lotka_volterra=Lotka-Volterra thomas_fermi=Thomas-Fermi flierl_petviashvili=Flierl-Petviashvili'
+persons = 'arenstorf=Arenstorf blasius=Blasius duffing=Duffing kepler=Kepler lorenz=Lorenz rayleigh=Rayleigh riccati=Riccati robertson=Robertson sakiadis=Sakiadis toda=Toda van_der_pol=van_der_Pol weierstrass=Weierstrass chazy=Chazy painleve=Painlevé brusselator=Brusselator oregonator=Oregonator'
+abbreviations = 'pollu=POLLU hires=HIRES seir=SEIR sir=SIR japan=Japan detest_a=DETEST_A detest_b=DETEST_B detest_c=DETEST_C detest_d=DETEST_D detest_e=DETEST_E stiff_a=stiff_A stiff_b=stiff_B stiff_c=stiff_C stiff_d=stiff_D stiff_e=stiff_E stiff_f=stiff_F'
+as_written(name, pair) = swapped(name, pair[1:strstrt(pair, '=') - 1], pair[strstrt(pair, '=') + 1:*])
+as_listed(name, list) = (name_ = name, sum [i_=1:words(list)] (name_ = as_written(name_, word(list, i_)), 0), name_)
+problem_name(p) = swapped(as_listed(p, pairs.' '.persons.' '.abbreviations), '_', ' ')
 
 # --- a figure of panels: `across` by `down`, each panel_w by panel_h, with a heading above and the key below them.
 head = 62
@@ -149,9 +136,39 @@ upper_panel = "set format x ''; unset xlabel; set bmargin 1"
 lower_panel = "unset title; set format x '%g'; set bmargin 3.6"
 # The strip of the key: only the names of the curves are drawn in it.
 key_strip = "unset title; unset xlabel; unset ylabel; unset tics; unset border; unset grid; unset arrow; unset label; unset logscale; unset format; set xrange [0:1]; set yrange [0:1]; set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0; set origin 0, 0; set size 1, foot / tall; set key inside center center horizontal Left reverse samplen 2.6 width 1"
+# --- panels: a figure of equal panels, which shared/panels.gp draws. A script sets, where a default does not serve:
+# `figure`, `title_text`, `below_text`: the name of the file, and its headings;
+# `table`, `panel_by`, `hue_by`, `kind_by`: a file, and the columns whose values make panels, colours, and dashes or
+#     marks, in the rows with the condition `always`; `panels`, `hues`, `kinds`: these values. hue_by may be several
+#     columns, 'c c', with the values "v,v";
+# `x`, `x_name`, `x_axis`: column or expression, its name, and commands that set the range; `y_name`, `y_axis`; or
+#     `y_together`: the columns that have a common range;
+# `prepare`, `finish`: commands before and after each panel, which knows its number `p`, its value `this` and, with
+#     `rows_down` of them, its `row`, and may set any of these and `panel_title`;
+# `layers`: elements of plot; `key`: those of the key, with `entries` of `letters` letters.
+panel_defaults = "panel_by = ''; hue_by = ''; kind_by = ''; panels = ''; hues = ''; kinds = ''; always = '1'; title_text = ''; below_text = ' '; x = ''; x_name = ''; x_axis = ''; y_name = ''; y_axis = ''; y_together = ''; y_where = '1'; y_name_everywhere = 0; prepare = ''; finish = ''; layers = ''; key = ''; entries = 0; letters = 16; rows_down = 1; most_panels = 9; most_across = 3; width = 0; height = 0"
+eval panel_defaults
+cells_of(columns) = (cells_text = '', sum [i_=1:words(columns)] (cells_text = cells_text.(i_ > 1 ? ".','." : '').sprintf('strcol(%s)', column_text(word(columns, i_))), 0), cells_text)
+seen_together(list, file, columns, where) = sprintf("%s = ''; ", list).every_row(file, sprintf("(%s) && !listed(%s, %s) ? (%s = %s.' \"'.%s.'\"') : 0", where, list, cells_of(columns), list, list, cells_of(columns)))
+of_panel(where) = both(both(always, panel_by eq '' ? '1' : sprintf("is('%s', this)", panel_by)), where)
+of_hue(where) = both(hue_by eq '' ? '1' : sprintf("%s eq word(hues, h)", cells_of(hue_by)), of_panel(where))
+of_kind(where) = both(kind_by eq '' ? '1' : sprintf("is('%s', word(kinds, k))", kind_by), of_hue(where))
+# The names of the energies of a table, some of which are known by their gap: named_energy(E) after eval energy_names(file).
+energy_names(file) = seen_together('energies_and_gaps', file, 'energy gap', '1')
+gap_of(E) = (at_ = strstrt(energies_and_gaps, '"'.E.','), rest_ = energies_and_gaps[at_ + strlen(E) + 2:*], rest_[1:strstrt(rest_, '"') - 1])
+named_energy(E) = energy_name(E, gap_of(E))
+# Layers: a curve for each colour and kind in the panel, for each colour, and one; with the conditions of their rows.
+curves(y, where, style) = 'for [h=1:words(hues)] for [k=1:words(kinds)] '.rows(table, x, y, of_kind(where)).' with '.style.' notitle'
+by_hue(y, where, style) = 'for [h=1:words(hues)] '.rows(table, x, y, of_hue(where)).' with '.style.' notitle'
+once(y, where, style) = rows(table, x, y, of_panel(where)).' with '.style.' notitle'
+# Entries of the key, whose titles are expressions.
+key_entry(style, title) = sprintf('NaN with %s title %s', style, title)
+key_of_kinds(style) = 'for [k=1:words(kinds)] '.key_entry(style, 'kind_name(word(kinds, k))')
+key_of_hues(style) = 'for [h=1:words(hues)] '.key_entry(style, "in_key(h, words(hues)) ? hue_name(word(hues, h)) : ''")
 # --- axes
+# The condition of rows with E > 2, whose gap may be beyond the range of double.
+rotates = "substr(strcol('gap'), 1, 1) eq '-'"
 e_axis = 'energy E / (m g ℓ)'
-t_axis = 'time t / (ℓ/g)^{1/2}'
 norm_axis = 'log_{10} (max |error| / rad)'
 error_axis = 'log_{10} (|error| / rad)'
 gap_axis = 'log_{10} |2 − E / (m g ℓ)| → E = 2'
@@ -160,9 +177,13 @@ times_decade(x, decade) = decade * (x < 1.5 * decade ? 1 : x < 3.5 * decade ? 2 
 step_of(r) = times_decade(r / 2.2, 10**floor(log10(r / 2.2)))
 # Tics at these values alone, at most `most` of them, on the axis x or y.
 tics_at(which, list, most) = (tics_text = '', sum [tic=1:smaller(words(list), most)] (tics_text = tics_text.(tic > 1 ? ', ' : '').pick(list, most, tic), 0), sprintf('set %stics (%s)', which, tics_text))
+# Few tics for the values of a parameter.
+quarters(which, a, b) = b > a ? sprintf("set %stics %.15g, %.15g, %.15g format '%%.4g'", which, a, (b - a) / 4.0, b) : ''
 # An axis from a to b, with margins at both ends; a single value is in the middle.
 room(a, b) = b > a ? 0.04 * (b - a) : larger(0.5, 0.1 * abs(a))
 rising(which, a, b) = sprintf("set %srange [%.15g:%.15g]", which, a - room(a, b), b + room(a, b))
+# Angles from y_low to y_high, with tics at multiples of pi.
+rising_in_pi = "eval rising('y', y_low, y_high); set ytics pi * step_of((y_high - y_low) / (1.5 * pi)); set format y '%.1Pπ'; set ytics add ('0' 0)"
 falling(which, a, b) = sprintf("set %srange [%.15g:%.15g]", which, b + room(a, b), a - room(a, b))
 # Energies from a to b: from 0 if a is near it, in powers of ten if b is large.
 energies_on_x(a, b) = b > 30 && a > 0 && b > 3 * a ? sprintf("set logscale x; set format x '10^{%%T}'; set xrange [%.9g:%.9g]", a / 1.2, b * 1.2) : a > 0 && a < 0.1 * b ? sprintf("set xrange [0:%.15g]", b) : rising('x', a, b)

@@ -1,81 +1,40 @@
 # resummations: error norm against the number of coefficients, at one energy or two, and against the distance from E = 2
-# on each side at one number. Columns: energy,gap,method,count,order,conditions,norm,time_of_maximum,rigour,bound,rate,
-# log10_norm,log10_bound,log10_rate,log10_gap. Lines are drawn from the log10 columns and the gap column.
+# on each side at one number.
 load scripts.'/style.gp'
-
-file = data.'/resummations.csv'
-methods = 'series resummed resummed_4 resummed_8 two_point pade uniform'
+figure = 'resummations'
+table = data.'/resummations.csv'
+title_text = 'Error norm of the resummations on [0, T*]'
+below_text = 'by their number of coefficients; m: number of conditions at the bottom'
+kind_by = 'method'; kinds = 'series resummed resummed_4 resummed_8 two_point pade uniform'
 names = '"series" "resummation, m = 2" "m = 4" "m = 8" "two-point" "Padé (gaps: poles)" "uniform"'
-tones = '#999999 #E69F00 #D55E00 #56B4E9 #009E73 #0072B2 #000000'
-signs = '1 4 6 8 12 2 7'
-energies = seen(file, 1, '1')
-counts = sorted(file, 4, '1')
-last = word(counts, words(counts))
-drawn = count_of(file, '$4 == 16') > 0 ? '16' : last
-bounded(b) = int(word('1 2 7', b))
-
-# Panels against the number of coefficients: the middle energy of those away from E = 2, and one near it; or the first.
-listed(where) = seen(file, 1, where)
-middle(list) = word(list, (words(list) + 1) / 2)
-far = word(listed('$15 > -0.99 && $2 !~ /^-/'), words(listed('$15 > -0.99 && $2 !~ /^-/')))
-if (far eq '') { far = middle(listed('$15 > -0.99')) }
-close_to = '$15 < -5.5 && $15 > -6.5'
-near = word(listed(close_to.' && $2 !~ /^-/'), 1)
-if (near eq '') { near = word(listed(close_to), 1) }
-if (near eq '') { near = middle(listed('$15 <= -0.99')) }
-chosen = words(energies) <= 2 ? energies : far.' '.near
-if (words(counts) == 1 && words(energies) > 2) { chosen = '' }
+tone(k) = word('#999999 #E69F00 #D55E00 #56B4E9 #009E73 #0072B2 #000000', k)
+sign(k) = word('1 4 6 8 12 2 7', k) + 0
+eval energy_names(table)
+eval seen('energies', table, 'energy', '1')
+eval seen('counts', table, 'count', '1')
+drawn = listed(counts, '16') ? '16' : word(counts, words(counts))
+# Panels against the number of coefficients: the last energy below 2 and away from it, and one near it; or the first two.
+away = "at('log10_gap') > -0.99"
+close_to = "at('log10_gap') < -5.5 && at('log10_gap') > -6.5"
+eval last_cell('far', table, 'energy', away.' && !('.rotates.')')
+eval first_cell('near', table, 'energy', close_to.' && !('.rotates.')')
+if (near eq '') { eval first_cell('near', table, 'energy', close_to) }
+panels = words(energies) <= 2 ? energies : words(counts) > 1 ? far.' '.near : ''
 # Panels against the distance from E = 2.
-side(k) = k == 1 ? '$2 !~ /^-/' : '$2 ~ /^-/'
-sides = ''
-do for [k=1:2] { if (words(energies) > 2 && words(listed(side(k))) > 1) { sides = sides.' '.k } }
-panels = words(chosen) + words(sides)
-key_entries = 8
-
-# Columns of the rows of a method, sorted by the first of them. A Pade approximant with a pole in the interval has no
-# norm: there its line has a gap.
-by(c) = points_by(sprintf("sort -t, -s -k%d,%dg '%s'", c, c, file))
-curve(from, to, keys, values, where) = parts_at(by(from), sprintf('v($%d)', from), sprintf('$7 == "inf" ? "inf" : $%d', to), keys, values, sprintf('(%s) && ($%d != "" || $7 == "inf")', where, to))
-of_energy(from, to, e, i) = curve(from, to, '1 3', e.','.word(methods, i), '1')
-of_side(from, to, k, i) = curve(from, to, '4 3', drawn.','.word(methods, i), side(k))
-
-eval grid(panels, 2)
-panel_w = panels == 1 ? 900 : 590
-panel_h = panels == 1 ? 540 : 430
-foot = foot_for(8, 16)
-do for [kind in terminals] {
-    eval figure_of(kind, 'resummations')
-    eval heading('Error norm of the resummations on [0, T*]', 'by their number of coefficients; m: number of conditions at the bottom')
-    set lmargin 9; set rmargin 2; set tmargin 2; set bmargin 3.6
-    do for [p=1:panels] {
-        eval panel(p)
-        if ((p - 1) % across == 0) { set ylabel norm_axis } else { unset ylabel }
-        unset key
-        if (p <= words(chosen)) {
-            e = word(chosen, p)
-            which = sprintf('$1 == "%s"', e)
-            set title 'E = '.energy_name(e, first_of(file, 2, which)) offset 0, -0.5
-            set xlabel 'coefficients that are not 0'
-            set xrange [0:last * 1.06]
-            low = least(file, '12', which, -1); high = greatest(file, '12', which, 0)
-            set yrange [low - room(low, high):smaller(high + room(low, high), 4)]
-            plot for [b=1:3] of_energy(4, 13, e, bounded(b)) using 1:2 with lines lw 1.6 dt 3 lc rgb word(tones, bounded(b)), \
-                 for [i=1:7] of_energy(4, 12, e, i) using 1:2 with linespoints pt int(word(signs, i)) ps 0.7 lw 1.8 dt dash_of(word(methods, i)) lc rgb word(tones, i)
-        } else {
-            k = word(sides, p - words(chosen)) + 0
-            which = '$4 == '.drawn.' && '.side(k)
-            set title drawn.' coefficients, '.(k == 1 ? 'libration' : 'rotation') offset 0, -0.5
-            set xlabel gap_axis
-            eval falling('x', least(file, '15', which, 0), greatest(file, '15', which, 0))
-            low = least(file, '12', which, -1); high = greatest(file, '12', which, 0)
-            set yrange [low - room(low, high):smaller(high + room(low, high), 4)]
-            plot for [b=1:3] of_side(15, 13, k, bounded(b)) using 1:2 with lines lw 1.6 dt 3 lc rgb word(tones, bounded(b)), \
-                 for [i=1:7] of_side(15, 12, k, i) using 1:2 with linespoints pt int(word(signs, i)) ps 0.7 lw 1.8 dt dash_of(word(methods, i)) lc rgb word(tones, i)
-        }
-        eval no_heading
-    }
-    eval key_strip
-    plot for [i=1:7] NaN with linespoints pt int(word(signs, i)) ps 0.7 lw 1.8 dt dash_of(word(methods, i)) lc rgb word(tones, i) title word(names, i), \
-         NaN with lines lw 1.6 dt 3 lc rgb soft title 'proved (A, A2, U)'
-    eval figure_done
-}
+eval seen('below', table, 'energy', '!('.rotates.')')
+eval seen('above', table, 'energy', rotates)
+if (words(energies) > 2) { panels = panels.(words(below) > 1 ? ' libration' : '').(words(above) > 1 ? ' rotation' : '') }
+is_side(panel) = panel eq 'libration' || panel eq 'rotation'
+always = "(is_side(this) ? is('count', drawn) && (this eq 'rotation') == (".rotates.") : is('energy', this))"
+most_across = 2
+x = "is_side(this) ? at('log10_gap') : at('count')"
+x_axis = "eval extent('x', table, is_side(this) ? 'log10_gap' : 'count', always); if (is_side(this)) { eval falling('x', x_low, x_high); set xlabel gap_axis } else { set xrange [0:x_high * 1.06]; set xlabel 'coefficients that are not 0' }"
+y_name = norm_axis; y_axis = "eval extent('y', table, 'log10_norm', always); set yrange [y_low - room(y_low, y_high):smaller(y_high + room(y_low, y_high), 4)]"
+prepare = "panel_title = is_side(this) ? drawn.' coefficients, '.this : 'E = '.named_energy(this)"
+line = 'linespoints pt sign(k) ps 0.7 lw 1.8 dt k == 1 ? 2 : 1 lc rgb tone(k)'
+# A Pade approximant with a pole in the interval has no norm: there its line has a gap.
+layers = curves('log10_bound', '1', 'lines lw 1.6 dt 3 lc rgb tone(k)') \
+    .', for [k=1:7] '.broken_rows(table, x, "is('norm', 'inf') ? 1e999 : at('log10_norm')", of_kind("has('log10_norm') || is('norm', 'inf')")).' with '.line
+key = 'for [k=1:7] '.key_entry(line, 'word(names, k)').', '.key_entry('lines lw 1.6 dt 3 lc rgb soft', "'proved (A, A2, U)'")
+entries = 8
+load scripts.'/shared/panels.gp'

@@ -54,6 +54,7 @@ struct surface_row {
     std::string_view method;
     cell order, period_by;
     value_with_error approximation;
+    mpfr norm;  // largest error over the times
 };
 
 const column_list<surface_row>& columns() {
@@ -76,6 +77,8 @@ const column_list<surface_row>& columns() {
          [](const row& r) { return decimal_cell(r.approximation.error, r.digits); }},
         {"log10_error", "log10 of error", [](const row& r) { return log10_cell(r.approximation.error); }},
         gap_column<row>(),
+        {"log10_norm", "log10 of the largest error over the times, by this way to T* at this energy",
+         [](const row& r) { return log10_cell(r.norm); }},
     });
     return all;
 }
@@ -88,10 +91,11 @@ table rows_at(const sweep_energy& at, const pendulum_sweep& sweep, const std::ve
                          const std::vector<value_with_error>& values) {
         const precision_scope scope(scalar.digits + 2 * guard_digits);
         const exact_solution<mpfr> truth(m);
+        const mpfr norm = std::ranges::max(values, {}, &value_with_error::error).error;
         for (std::size_t i = 0; i < values.size(); ++i) {
             const exact& time = sweep.times[i];
             rows.push_back({at, scalar.digits, dimensionless_time<mpfr>(m, time), truth(time).theta, m.regime(), method,
-                            order, period_by, values[i]});
+                            order, period_by, values[i], norm});
         }
     };
     if (m.regime() == regime::separatrix) {
@@ -157,7 +161,8 @@ const study& surface() {
         .quick = {{"--energies", "1.71,2,2.02", ""}, {"--times", "0:20:6", ""}, {"--orders", "10", ""}},
         .seconds = 0.5,
         .excluded = no_answer_at_limits("the pendulum rests", ""),
-        .plan = plan};
+        .plan = plan,
+        .version = 2};
     return result;
 }
 

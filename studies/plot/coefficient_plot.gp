@@ -5,35 +5,16 @@
 # ratio,root,corrected_root,power,ratio_in_power,pair_ratio; of poles_K: kind,position_re,position_im,modulus,distance;
 # of radius: method,radius,uncertainty,...,unknown.
 load scripts.'/style.gp'
-load scripts.'/shared/ratio_fit.gp'
-
-verdicts = data.'/radius.csv'
-place(c) = or_0(ask(sprintf("head -n 1 '%s' | tr ',' '\\n' | grep -nxF -- '%s' | cut -d: -f1", verdicts, c)))
-several = place('unknown')
+tests = data.'/radius.csv'
+eval has_column('several', tests, 'unknown')
 n = words(list_names)
-list_at = 1
-of_list(m) = several ? sprintf('$1 == "%s" && $%d == "%s"', m, several, word(list_names, list_at)) : sprintf('$1 == "%s"', m)
-test_cell(m, c) = first_of(verdicts, place(c), of_list(m))
-shown_name(i) = n > 1 ? word(list_names, i) : ''
-
-across = 1; down = 3 * n
-panel_w = 640; panel_h = 400
-foot = 10
-do for [kind in terminals] {
-    eval figure_of(kind, figure)
-    eval heading(figure_title, figure_note)
-    set lmargin 12; set rmargin 3; set bmargin 3.6
-    do for [i=1:n] {
-        ratios = data.sprintf('/ratios_%d.csv', i)
-        poles = data.sprintf('/poles_%d.csv', i)
-        named = shown_name(i)
-        list_at = i
-        do for [k=1:3] {
-            part = word('ratios roots poles', k)
-            eval panel(3 * i - 3 + k)
-            load scripts.'/shared/coefficient_panel.gp'
-            eval no_heading
-        }
-    }
-    eval figure_done
-}
+list_panel = "named = n > 1 ? word(list_names, list) : ''; of_list = several ? \"is('unknown', word(list_names, list))\" : '1'; ratios = sprintf('%s/ratios_%d.csv', data, list); poles = sprintf('%s/poles_%d.csv', data, list); load scripts.'/shared/coefficient_panel.gp'"
+list = 1
+eval list_panel
+table = ratios
+do for [k=1:3 * n] { panels = panels.' '.k }
+title_text = figure_title; below_text = figure_note
+most_panels = 3 * n; most_across = 1; width = 640; height = 400
+prepare = "list = (p + 2) / 3; eval list_panel; eval p % 3 == 1 ? ratios_panel : p % 3 == 2 ? roots_panel : poles_panel"
+finish = 'set size noratio; set xtics autofreq; set ytics autofreq; unset key'
+load scripts.'/shared/panels.gp'

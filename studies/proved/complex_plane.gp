@@ -1,55 +1,26 @@
 # complex_plane: the argument of an unknown as a colour over the complex t-plane, its modulus as shades, with
 # singularities, the proved circle of convergence and the discs that prove it.
-# Columns: problem,re,im,log10_abs,argument,unknown; in _singularities problem,re,im,uncertainty,kind,unknown; in
-# _proofs problem,part,re,im,radius.
 load scripts.'/style.gp'
-
-main = data.'/complex_plane.csv'
+figure = 'complex_plane'
+table = data.'/complex_plane.csv'
 places = data.'/complex_plane_singularities.csv'
 proofs = data.'/complex_plane_proofs.csv'
-names = seen(main, 1, '1')
-count = words(names)
-of(name) = sprintf('$1 == "%s"', name)
-part_of(name, part) = sprintf('$1 == "%s" && $2 == "%s"', name, part)
-grid_of(name) = points_by("awk -F, 'NR > 1 && $1 == \"".name."\" { print $2 \",\" $3 \",\" ($4 == \"\" ? 0 : $4) \",\" ($5 == \"\" ? 9 : $5) }' '".main."'")
-three(name, part) = points_by("awk -F, 'BEGIN { print \"x,y,r\" } NR > 1 && $1 == \"".name."\" && $2 == \"".part."\" { print $3 \",\" $4 \",\" $5 } END { print \"1e99,1e99,0\" }' '".proofs."'")
+title_text = 'Solutions in the complex plane of time'
+below_text = 'from the start; colour: argument of the first unknown, shade: modulus, a factor of 10 from dark to light'
+x = 're'; panel_by = 'problem'; most_panels = 40; most_across = 4
+eval seen('panels', table, 'problem', '1')
+width = words(panels) < 3 ? 460 : 300; height = words(panels) < 3 ? 440 : 300
+# White where the solution has no value.
 shade_of(m) = 0.62 + 0.38 * (m - floor(m))
-colour_of(m, a) = a > 8 ? 0xffffff : hsv2rgb((a + pi) / (2 * pi), 0.45, shade_of(m))
-red(m, a) = int(colour_of(m, a)) >> 16
-green(m, a) = (int(colour_of(m, a)) >> 8) & 255
-blue(m, a) = int(colour_of(m, a)) & 255
-
-eval grid(count, 4)
-panel_w = count < 3 ? 460 : 300
-panel_h = count < 3 ? 440 : 300
-foot = foot_for(3, 30)
-do for [kind in terminals] {
-    eval figure_of(kind, 'complex_plane')
-    eval heading('Solutions in the complex plane of time', 'from the start; colour: argument of the first unknown, shade: modulus, a factor of 10 from dark to light')
-    do for [p=1:count] {
-        name = word(names, p)
-        reach = greatest(main, '2', of(name), 1)
-        eval panel(p)
-        set lmargin 6; set rmargin 2; set tmargin 2; set bmargin 2.6; unset key; unset grid
-        set size ratio -1
-        set title problem_name(name).': '.first_of(main, 6, of(name)) font ',12' offset 0, -0.6
-        set xrange [-reach:reach]; set yrange [-reach:reach]
-        set xtics step_of(reach) format '%.3g' font ',10'; set ytics step_of(reach) format '%.3g' font ',10'
-        set datafile nocolumnheaders
-        set style fill transparent solid 0 border lc rgb '#777777'
-        radius = first_of(proofs, 5, part_of(name, 'lower'))
-        set object 1 circle at 0, 0 size (strlen(radius) ? number(radius) : 0) fs empty border lc rgb '#000000' lw 2 front
-        plot grid_of(name) using 1:2:(red($3, $4)):(green($3, $4)):(blue($3, $4)) with rgbimage, \
-             three(name, 'disc') every ::1 using 1:2:3 with circles lc rgb '#777777' lw 0.4 fs empty border, \
-             rows(places, 2, 3, of(name)) every ::1 using 1:2 with points pt 2 ps 1.1 lw 2 lc rgb '#000000'
-        unset object 1
-        set datafile columnheaders
-        set size noratio
-        eval no_heading
-    }
-    eval key_strip
-    plot NaN with points pt 2 ps 1.1 lw 2 lc rgb '#000000' title 'singularity', \
-         NaN with lines lw 2 lc rgb '#000000' title 'radius of convergence, proved', \
-         NaN with lines lw 1 lc rgb '#777777' title 'discs of the proof'
-    eval figure_done
-}
+colour_here(c) = has('argument') && has('log10_abs') ? hsv2rgb((at('argument') + pi) / (2 * pi), 0.45, shade_of(at('log10_abs'))) : 0xffffff
+channel(shift) = sprintf('(int(colour_here(0)) >> %d) & 255', shift)
+prepare = "eval extent('reach', table, 're', of_panel('1')); reach = reach_high; eval first_cell('u', table, 'unknown', of_panel('1')); panel_title = problem_name(this).': '.u; eval first_cell('R', proofs, 'radius', of_panel(\"is('part', 'lower')\")); set lmargin 6; set rmargin 2; set bmargin 2.6; unset grid; set size ratio -1; set style fill transparent solid 0 border lc rgb '#777777'; set object 1 circle at 0, 0 size (strlen(R) ? number(R) : 0) fs empty border lc rgb '#000000' lw 2 front; set title font ',12'"
+x_axis = "set xrange [-reach:reach]; set yrange [-reach:reach]; set xtics step_of(reach) format '%.3g' font ',10'; set ytics step_of(reach) format '%.3g' font ',10'"
+finish = 'unset object 1; set size noratio'
+pixels = sprintf("'%s' using (%s ? at('re') : NaN):(at('im')):(%s):(%s):(%s) with rgbimage", table, of_panel('1'), channel(16), channel(8), channel(0))
+discs = rows(proofs, 're', 'im', of_panel("is('part', 'disc')")).":(at('radius')) with circles lc rgb '#777777' lw 0.4 fs empty border"
+layers = pixels.', '.discs.', '.rows(places, 're', 'im', of_panel('1'))." with points pt 2 ps 1.1 lw 2 lc rgb '#000000'"
+key = key_entry("points pt 2 ps 1.1 lw 2 lc rgb '#000000'", "'singularity'").', '.key_entry("lines lw 2 lc rgb '#000000'", "'radius of convergence, proved'") \
+    .', '.key_entry("lines lw 1 lc rgb '#777777'", "'discs of the proof'")
+entries = 3; letters = 30
+load scripts.'/shared/panels.gp'

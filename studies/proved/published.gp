@@ -1,34 +1,16 @@
-# published: the distance of printed values from the proved ones. Columns:
-# value_of,problem,quantity,printed,value,units, verdict,rigour,source.
+# published: the distance of printed values from the proved ones.
 load scripts.'/style.gp'
-
-main = data.'/published.csv'
-set datafile separator ','
-stats main using 6 nooutput
-n = int(STATS_records)
-highest = larger(log10(larger(STATS_max, 1)), 1)
-
-eval grid(1, 1)
-panel_w = 860
-panel_h = 90 + 22 * n
-foot = foot_for(2, 30)
-do for [kind in terminals] {
-    eval figure_of(kind, 'published')
-    eval heading('Published reference values', 'distance from the proved value in units of the last printed digit')
-    set lmargin 42; set rmargin 3; set tmargin 2; set bmargin 3.6
-    eval panel(1)
-    set xrange [-3:highest * 1.1 + 1]
-    set yrange [n - 0.5:-0.5]
-    set xlabel 'log_{10} of the distance in units'
-    set xtics autofreq
-    set ytics scale 0 noenhanced
-    set arrow 1 from 0, graph 0 to 0, graph 1 nohead dt 3 lw 1.2 lc rgb soft
-    unset key
-    plot main using (log10(larger($6, 1e-3))):0:ytic(stringcolumn(2).': '.stringcolumn(3)) with points pt 7 ps 0.8 lc rgb shade[5]
-    unset arrow 1
-    eval no_heading
-    eval key_strip
-    plot NaN with points pt 7 ps 0.8 lc rgb shade[5] title 'printed value', \
-         NaN with lines dt 3 lw 1.2 lc rgb soft title 'one unit'
-    unset multiplot
-}
+figure = 'published'
+table = data.'/published.csv'
+title_text = 'Published reference values'
+below_text = 'distance from the proved value in units of the last printed digit'
+eval count_of('n', table, '1')
+eval extent('units', table, 'units', '1')
+width = 860; height = 90 + 22 * n
+x = "log10(larger(at('units'), 1e-3))"; x_name = 'log_{10} of the distance in units'
+x_axis = 'set xrange [-3:log10(larger(units_high, 10)) * 1.1 + 1]; set yrange [n - 0.5:-0.5]; set ytics scale 0 noenhanced'
+prepare = 'set lmargin 42; set arrow from 0, graph 0 to 0, graph 1 nohead dt 3 lw 1.2 lc rgb soft'
+layers = rows(table, x, 'column(0)', '1').":ytic(strcol('problem').': '.strcol('quantity')) with points pt 7 ps 0.8 lc rgb shade[5]"
+key = key_entry('points pt 7 ps 0.8 lc rgb shade[5]', "'printed value'").', '.key_entry('lines dt 3 lw 1.2 lc rgb soft', "'one unit'")
+entries = 2; letters = 30
+load scripts.'/shared/panels.gp'

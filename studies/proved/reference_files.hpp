@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +48,7 @@ inline table rows_of_problem(const table& all, const std::string& problem) {
 /// The problem as comments: its text in the catalogue, and the changes to it.
 inline std::string problem_as_comments(const test_problem& of) {
     std::string text;
-    std::istringstream lines{std::string(problem_text(of.in_catalogue()))};
+    std::istringstream lines{std::string(problem_text(of.catalogue))};
     for (std::string line; std::getline(lines, line);) {
         text += line.starts_with('#') ? line + "\n" : "#     " + line + "\n";
     }
@@ -143,9 +144,9 @@ inline std::vector<text_file> reference_files(const std::vector<study_table>& ta
         files.push_back(
             {each.name + ".txt", text_of_problem(each, grids.back(), rows_of_problem(invariants, each.name))});
     }
-    files.push_back({"reference_problems.h", c_header_of(grids)});
-    files.push_back({"reference_problems.jl", julia_module_of(grids)});
-    files.push_back({"reference_problems.py", python_module_of(grids)});
+    for (const reference_language& each : reference_languages) {
+        files.push_back({std::string(each.file), text_in(each, grids)});
+    }
     return files;
 }
 

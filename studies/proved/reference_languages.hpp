@@ -3,13 +3,11 @@
 #pragma once
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <cstddef>
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
-
-#include "sweep/study.hpp"
 
 namespace libration::studies::proved {
 
@@ -21,86 +19,90 @@ struct value_grid {
     std::vector<std::vector<std::string>> values;
 };
 
-inline std::vector<std::string> quoted(const std::vector<std::string>& texts) {
-    std::vector<std::string> all;
-    for (const std::string& each : texts) {
-        all.push_back('"' + each + '"');
-    }
-    return all;
-}
+/// What is written in a language: the start, a part for each problem, a second part for each, and the end. {problem},
+/// {unknowns}, {times} and {values} stand for those of a problem, {m} and {n} for the numbers of unknowns and times, {count}
+/// for the number of problems; a line of values is between `before` and `after`.
+struct reference_language {
+    std::string_view file, start, part, before, after;
+    std::string_view middle = {}, second_part = {};
+    std::string_view end;
+};
+
+inline constexpr auto reference_languages = std::to_array<reference_language>(
+    {{.file = "reference_problems.h",
+      .start =
+          "/* Reference values of test problems, each digit proved to one unit in the last place; public domain (CC0 "
+          "1.0).\n"
+          "   value[i*unknown_count + j] is unknown j at time i: decimal text for strtod, strtoflt128 or "
+          "mpfr_set_str. */\n"
+          "#ifndef LIBRATION_REFERENCE_PROBLEMS_H\n#define LIBRATION_REFERENCE_PROBLEMS_H\n\n"
+          "typedef struct {{\n    const char *problem;\n    int unknown_count, time_count;\n"
+          "    const char *const *unknown, *const *time, *const *value;\n}} libration_reference;\n\n",
+      .part = "static const char *const libration_{problem}_unknown[] = {{{unknowns}}};\n"
+              "static const char *const libration_{problem}_time[] = {{{times}}};\n"
+              "static const char *const libration_{problem}_value[] = {{\n{values}}};\n",
+      .before = "    ",
+      .after = ",\n",
+      .middle = "\nstatic const libration_reference libration_references[] = {{\n",
+      .second_part = "    {{\"{problem}\", {m}, {n}, libration_{problem}_unknown, libration_{problem}_time, "
+                     "libration_{problem}_value}},\n",
+      .end = "}};\nenum {{ libration_reference_count = {count} }};\n\n#endif\n"},
+     {.file = "reference_problems.jl",
+      .start =
+          "# Reference values of test problems, each digit proved to one unit in the last place; public domain (CC0 "
+          "1.0).\n"
+          "# u[i][j] is unknown j at time t[i], as decimal text.\nmodule ReferenceProblems\n\n"
+          "const problems = Dict(\n",
+      .part = "    \"{problem}\" => (unknowns = [{unknowns}],\n        t = [{times}],\n        u = [\n{values}        "
+              "]),\n",
+      .before = "            [",
+      .after = "],\n",
+      .end = ")\n\n\"\"\"\nThe times and states of a problem as numbers of type T.\n"
+             "With DiffEqDevTools: `TestSolution(ReferenceProblems.reference(\"kepler\")...)`.\n\"\"\"\n"
+             "reference(problem, T = Float64) =\n"
+             "    (parse.(T, problems[problem].t), [parse.(T, state) for state in problems[problem].u])\n\nend\n"},
+     {.file = "reference_problems.py",
+      .start =
+          "\"\"\"Reference values of test problems, each digit proved to one unit in the last place; public domain "
+          "(CC0 1.0).\n\nPROBLEMS[name][\"u\"][i][j] is unknown j at time i, as decimal text for float, "
+          "decimal.Decimal or mpmath.mpf.\n\"\"\"\n\nPROBLEMS = {{\n",
+      .part =
+          "    \"{problem}\": {{\n        \"unknowns\": [{unknowns}],\n        \"t\": [{times}],\n        \"u\": [\n"
+          "{values}        ],\n    }},\n",
+      .before = "            [",
+      .after = "],\n",
+      .end = "}}\n"}});
 
 inline std::string one_line(const std::vector<std::string>& texts) {
-    return fmt::format("{}", fmt::join(quoted(texts), ", "));
-}
-
-/// A line for each of the lists, with these texts around it.
-inline std::string lines_of(const std::vector<std::vector<std::string>>& lists, const std::string& before,
-                            const std::string& after) {
-    std::string text;
-    for (const auto& each : lists) {
-        text += before + one_line(each) + after + "\n";
+    std::string line;
+    for (const std::string& each : texts) {
+        line += (line.empty() ? "\"" : ", \"") + each + '"';
     }
-    return text;
+    return line;
 }
 
-/// reference_problems.h
-inline std::string c_header_of(const std::vector<value_grid>& grids) {
-    std::string text =
-        "/* Reference values of test problems, each digit proved to one unit in the last place; public domain (CC0 "
-        "1.0).\n"
-        "   value[i*unknown_count + j] is unknown j at time i: decimal text for strtod, strtoflt128 or mpfr_set_str. "
-        "*/\n"
-        "#ifndef LIBRATION_REFERENCE_PROBLEMS_H\n#define LIBRATION_REFERENCE_PROBLEMS_H\n\n"
-        "typedef struct {\n    const char *problem;\n    int unknown_count, time_count;\n"
-        "    const char *const *unknown, *const *time, *const *value;\n} libration_reference;\n\n";
-    std::string list;
+/// The values of these problems in a language.
+inline std::string text_in(const reference_language& in, const std::vector<value_grid>& grids) {
+    std::string first;
+    std::string second;
     for (const value_grid& each : grids) {
-        const auto declare = [&](const std::string& name, const std::string& content) {
-            text += fmt::format("static const char *const libration_{}_{}[] = {{{}}};\n", each.problem, name, content);
+        std::string values;
+        for (const auto& state : each.values) {
+            values += std::string(in.before) + one_line(state) + std::string(in.after);
+        }
+        const auto filled = [&](std::string_view text) {
+            return fmt::format(fmt::runtime(text), fmt::arg("problem", each.problem),
+                               fmt::arg("unknowns", one_line(each.unknowns)), fmt::arg("times", one_line(each.times)),
+                               fmt::arg("values", values), fmt::arg("m", each.unknowns.size()),
+                               fmt::arg("n", each.times.size()));
         };
-        declare("unknown", one_line(each.unknowns));
-        declare("time", one_line(each.times));
-        declare("value", "\n" + lines_of(each.values, "    ", ","));
-        list +=
-            fmt::format("    {{\"{0}\", {1}, {2}, libration_{0}_unknown, libration_{0}_time, libration_{0}_value}},\n",
-                        each.problem, each.unknowns.size(), each.times.size());
+        first += filled(in.part);
+        second += filled(in.second_part);
     }
-    return text + "\nstatic const libration_reference libration_references[] = {\n" + list +
-           fmt::format("}};\nenum {{ libration_reference_count = {} }};\n\n#endif\n", grids.size());
-}
-
-/// reference_problems.jl
-inline std::string julia_module_of(const std::vector<value_grid>& grids) {
-    std::string text =
-        "# Reference values of test problems, each digit proved to one unit in the last place; public domain (CC0 "
-        "1.0).\n"
-        "# u[i][j] is unknown j at time t[i], as decimal text.\nmodule ReferenceProblems\n\nconst problems = Dict(\n";
-    for (const value_grid& each : grids) {
-        text += fmt::format("    \"{}\" => (unknowns = [{}],\n        t = [{}],\n        u = [\n{}        ]),\n",
-                            each.problem, one_line(each.unknowns), one_line(each.times),
-                            lines_of(each.values, "            [", "],"));
-    }
-    return text +
-           ")\n\n\"\"\"\nThe times and states of a problem as numbers of type T.\n"
-           "With DiffEqDevTools: `TestSolution(ReferenceProblems.reference(\"kepler\")...)`.\n\"\"\"\n"
-           "reference(problem, T = Float64) =\n"
-           "    (parse.(T, problems[problem].t), [parse.(T, state) for state in problems[problem].u])\n\nend\n";
-}
-
-/// reference_problems.py
-inline std::string python_module_of(const std::vector<value_grid>& grids) {
-    std::string text =
-        "\"\"\"Reference values of test problems, each digit proved to one unit in the last place; public domain "
-        "(CC0 1.0).\n\nPROBLEMS[name][\"u\"][i][j] is unknown j at time i, as decimal text for float, decimal.Decimal "
-        "or "
-        "mpmath.mpf.\n\"\"\"\n\nPROBLEMS = {\n";
-    for (const value_grid& each : grids) {
-        text += fmt::format(
-            "    \"{}\": {{\n        \"unknowns\": [{}],\n        \"t\": [{}],\n        \"u\": [\n{}        ],\n    "
-            "}},\n",
-            each.problem, one_line(each.unknowns), one_line(each.times), lines_of(each.values, "            [", "],"));
-    }
-    return text + "}\n";
+    const auto outside = [&](std::string_view text) {
+        return fmt::format(fmt::runtime(text), fmt::arg("count", grids.size()));
+    };
+    return outside(in.start) + first + outside(in.middle) + second + outside(in.end);
 }
 
 }  // namespace libration::studies::proved

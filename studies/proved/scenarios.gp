@@ -1,34 +1,20 @@
 # scenarios: the nearest singularity of each problem in units of its radius of convergence, by its argument.
-# Columns: problem,lower,upper,domain,scenario,position_re,position_im,kind,rigour,reason.
 load scripts.'/style.gp'
-
-main = data.'/scenarios.csv'
-count = count_of(main, '1')
-verdicts = 'larger equal within'
-letters = 'larger than the domain|equal to it|within it'
-# The argument of the nearest singularity in degrees, 0 ahead and 180 behind; -20 if there is none.
-angles(v) = points_by("awk -F, 'BEGIN { print \"x,y\" } NR > 1 { ++n; if ($5 == \"".v."\") print ($6 == \"\" ? -20 : (atan2($7 < 0 ? -$7 : $7, $6) * 180 / 3.14159265358979)) \",\" n } END { print \"1e99,1e99\" }' '".main."'")
-labels = points_by("awk -F, 'BEGIN { print \"y,name\" } NR > 1 { ++n; print n \",\" $1 (($5 == \"\") ? \" (no verdict)\" : \"\") }' '".main."'")
-
-eval grid(1, 1)
-panel_w = 900
-panel_h = 110 + 17 * count
-foot = foot_for(3, 26)
-do for [kind in terminals] {
-    eval figure_of(kind, 'scenarios')
-    eval heading('The three scenarios', 'argument of the nearest singularity as seen from the start, in degrees: at 0 the solution ends there')
-    set lmargin 34; set rmargin 4; set tmargin 2; set bmargin 3.6
-    eval panel(1)
-    set xrange [-35:190]
-    set yrange [count + 1:0]
-    set xtics ('none' -20, '0' 0, '45' 45, '90' 90, '135' 135, '180' 180)
-    set xlabel 'argument of the nearest singularity / degrees'
-    set ytics scale 0 noenhanced font ',10'
-    unset key
-    plot labels using (1e99):1:ytic(2) with points pt 0, \
-         for [i=1:3] angles(word(verdicts, i)) using 1:2 with points pt mark[i] ps 1 lw 1.6 lc rgb shade[2 * i - 1]
-    eval no_heading
-    eval key_strip
-    plot for [i=1:3] NaN with points pt mark[i] ps 1 lw 1.6 lc rgb shade[2 * i - 1] title 'radius '.ask(sprintf("printf '%%s' '%s' | cut -d'|' -f%d", letters, i))
-    eval figure_done
-}
+figure = 'scenarios'
+table = data.'/scenarios.csv'
+title_text = 'The three scenarios'
+below_text = 'argument of the nearest singularity as seen from the start, in degrees: at 0 the solution ends there'
+eval count_of('n', table, '1')
+width = 900; height = 110 + 17 * n
+kind_by = 'scenario'; kinds = 'larger equal within'
+kind_name(s) = s eq 'larger' ? 'radius larger than the domain' : s eq 'equal' ? 'radius equal to it' : 'radius within it'
+# 0 ahead and 180 behind; -20 if there is no singularity.
+x = "has('position_re') ? atan2(abs(at('position_im')), at('position_re')) * 180 / pi : -20"; x_name = 'argument of the nearest singularity / degrees'
+x_axis = "set xrange [-35:190]; set yrange [n + 1:0]; set xtics ('none' -20, '0' 0, '45' 45, '90' 90, '135' 135, '180' 180); set ytics scale 0 noenhanced font ',10'"
+prepare = 'set lmargin 34'
+style = 'points pt mark[k] ps 1 lw 1.6 lc rgb shade[2 * k - 1]'
+layers = rows(table, '(1e99)', 'column(0) + 1', '1').":ytic(strcol('problem').(has('scenario') ? '' : ' (no verdict)')) with points pt 0" \
+    .', for [k=1:3] '.rows(table, x, 'column(0) + 1', of_kind('1')).' with '.style
+key = key_of_kinds(style)
+entries = 3; letters = 26
+load scripts.'/shared/panels.gp'

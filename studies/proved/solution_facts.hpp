@@ -67,7 +67,7 @@ public:
     /// The invariants from the initial values, exact if they are fractions, and the differences for the printed states.
     std::vector<invariant_value> invariants(const std::vector<ode::number>& times,
                                             const std::vector<std::vector<std::string>>& states) const {
-        const auto texts = invariant_texts(problem_text(of_.in_catalogue()));
+        const auto texts = invariant_texts(problem_text(of_.catalogue));
         std::vector<invariant_value> all;
         for (std::size_t i = 0; i < system_.invariants().size(); ++i) {
             const ode::expression in_leaves = form_.in_leaves(system_.invariants()[i]);

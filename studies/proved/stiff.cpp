@@ -10,18 +10,32 @@
 #include "libration/integration/integration.hpp"
 #include "libration/problem/problem_family.hpp"
 #include "libration/scalar/ball/predicates.hpp"
-#include "stiff_problems.hpp"
 #include "sweep/study.hpp"
+#include "test_problems.hpp"
 #include "text/members.hpp"
 
 namespace libration::studies {
 
 namespace stiff_study {
 
-using proved::stiff_problem;
-using proved::stiff_problems;
-
 namespace {
+
+// A problem of the set with the end of its interval in the literature, and its name in this study.
+struct stiff_problem {
+    std::string name;
+    std::string in_set;
+};
+
+// Autonomous ones.
+const std::vector<stiff_problem>& stiff_problems() {
+    static const std::vector<stiff_problem> all{{"robertson", "robertson_1e11"},
+                                                {"stiff_e5", "stiff_e5_1e13"},
+                                                {"oregonator", "oregonator_360"},
+                                                {"hires", "hires_421"},
+                                                {"van_der_pol_1000", "van_der_pol_1000_2000"},
+                                                {"stiff_d4", "stiff_d4"}};
+    return all;
+}
 
 constexpr int times_of_each = 12;
 // Beyond the digits that are asked for.
@@ -155,14 +169,15 @@ private:
     double explicit_steps_ = 0, part_ = 0, seconds_ = 0;
 };
 
-std::vector<table> tables_of(const stiff_problem& of, long digits) {
+std::vector<table> tables_of(const stiff_problem& asked, long digits) {
+    const proved::test_problem& of = named(proved::test_problems(), asked.in_set);
     const ode::explicit_system system(of.equations());
     const precision_scope scope(digits);
     stiff_run run(system, ball::working_bits() + guard_bits);
     std::vector<stiff_row> rows;
     for (const ode::number& time : of.times(times_of_each)) {
         const auto values = run.at(time);
-        rows.push_back({of.name, decimal_of(rational(*time.fraction()), 20), digits_of(values), run.steps(),
+        rows.push_back({asked.name, decimal_of(rational(*time.fraction()), 20), digits_of(values), run.steps(),
                         run.explicit_steps(), run.seconds()});
     }
     return {make_table(columns(), rows), make_table(time_columns(), rows)};

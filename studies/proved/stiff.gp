@@ -1,44 +1,22 @@
 # stiff: the proved digits, the seconds, and the quotient of explicit and used steps, against the time reached.
-# Columns: problem,time,digits,steps,log10_explicit_steps,log10_ratio,rigour. stiff_time: problem,time,seconds.
 load scripts.'/style.gp'
-
-main = data.'/stiff.csv'
+figure = 'stiff'
+table = data.'/stiff.csv'
 timed = data.'/stiff_time.csv'
-problems = seen(main, 1, '1')
-n = words(problems)
-of(p) = sprintf('$1 == "%s"', p)
-# Both coordinates by awk, as the times extend over many powers of 10.
-curve(file, p, y) = parts_at(file, 'log(v($2))/log(10)', y, '1', p, '1')
-seconds = '($3 > 0 ? log($3)/log(10) : -3)'
-times = extremes(main, '2', '1')
-left = floor(log10(extreme(times, 1, 1)))
-right = ceil(log10(extreme(times, 2, 10)))
-
-across = 3; down = 1
-panel_w = 400
-panel_h = 400
-foot = foot_for(n, 16)
-do for [kind in terminals] {
-    eval figure_of(kind, 'stiff')
-    eval heading('Stiff problems followed with proof', 'against the time that is reached, on a scale of powers of 10')
-    set lmargin 8; set rmargin 2; set tmargin 2.6; set bmargin 3.6
-    unset key
-    set xlabel 'log_{10} of the time'
-    set xrange [left:right]
-    eval panel(1)
-    set title 'proved digits' offset 0, -0.5
-    set yrange [0:5 * ceil(greatest(main, '3', '1', 30) / 5 + 0.2)]
-    plot for [i=1:n] curve(main, word(problems, i), '$3') using 1:2 with linespoints lw 1.8 pt mark_of(i) ps 0.7 lc rgb colour(i, n)
-    eval no_heading
-    eval panel(2)
-    set title 'log_{10} of the seconds' offset 0, -0.5
-    set yrange [-3:ceil(log10(larger(greatest(timed, '3', '1', 1), 1)) + 0.2)]
-    plot for [i=1:n] curve(timed, word(problems, i), seconds) using 1:2 with linespoints lw 1.8 pt mark_of(i) ps 0.7 lc rgb colour(i, n)
-    eval panel(3)
-    set title 'log_{10} (explicit steps / steps)' offset 0, -0.5
-    set yrange [-0.5:ceil(larger(greatest(main, '6', '1', 1), 1)) + 0.5]
-    plot for [i=1:n] curve(main, word(problems, i), '$6') using 1:2 with linespoints lw 1.8 pt mark_of(i) ps 0.7 lc rgb colour(i, n)
-    eval key_strip
-    plot for [i=1:n] NaN with linespoints lw 1.8 pt mark_of(i) ps 0.7 lc rgb colour(i, n) title problem_name(word(problems, i))
-    eval figure_done
-}
+title_text = 'Stiff problems followed with proof'
+below_text = 'against the time that is reached'
+hue_by = 'problem'; hue_name(p) = problem_name(p)
+eval seen('hues', table, 'problem', '1')
+panels = '"proved digits" "seconds" "log_{10} (explicit steps / steps)"'
+eval extent('time', table, 'time', "at('time') > 0")
+eval extent('time_', timed, 'seconds', '1')
+x = 'time'; x_name = 'time'; x_axis = "set logscale x; set format x '10^{%T}'; set xrange [time_low / 2:time_high * 2]; if (time_high > 1e8 * time_low) { set xtics 1e4 }"
+line = 'linespoints lw 1.8 pt mark_of(h) ps 0.7 lc rgb colour(h, words(hues))'
+digits = by_hue('digits', '1', line)
+ratios = by_hue('log10_ratio', '1', line)
+seconds = 'for [h=1:words(hues)] '.rows(timed, x, "larger(at('seconds'), 1e-3)", of_hue('1')).' with '.line.' notitle'
+prepare = "panel_title = this; layers = p == 1 ? digits : p == 2 ? seconds : ratios; y_axis = p == 1 ? 'set yrange [0:*]' : p == 2 ? 'set logscale y; set yrange [1e-3:*]' : 'set yrange [-0.5:*]'; if (p == 2) { set format y '10^{%T}'; set offsets }"
+finish = "unset logscale; set format '%g'; set xtics autofreq"
+key = key_of_hues(line)
+entries = words(hues); letters = 16
+load scripts.'/shared/panels.gp'

@@ -15,6 +15,3 @@ is_rounded(r, u) = digits_in_all(r, u) > 15
 with_uncertainty(r, u) = (is_rounded(r, u) ? 'R ≈ ' : 'R = ').in_powers(printed(sprintf('%%.%dg', digits_beside(r, u)), r)).(strlen(u) ? (is_rounded(r, u) ? ', uncertainty ' : ' ± ').in_powers(printed('%.2g', u)) : '')
 fit_in_words(r, u, exponent) = strlen(r) == 0 ? 'no radius is found' : with_uncertainty(r, u).(strlen(exponent) ? ', exponent '.in_powers(printed('%.6g', exponent)) : '')
 intercept_in_words(level, r, u) = strlen(r) == 0 ? ' ' : level == level ? 'intercept '.in_powers(printed(sprintf('%%.%dg', smaller(10, digits_beside(r, u))), sprintf('%.15g', level))) : 'a pair is nearest: the ratios have no intercept'
-# The range of the ratios in column c: of all of them, with margins, or around `around`, the largest R^-p of a pair, as
-# its ratios are unbounded.
-ratio_range(f, c, where, around) = around > 0 ? rising('y', -2.5 * around, 2.5 * around) : rising('y', larger(least(f, sprintf('%d', c), where, -1), -1e30), smaller(greatest(f, sprintf('%d', c), where, 1), 1e30))

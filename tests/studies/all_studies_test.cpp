@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <set>
 #include <string>
@@ -35,37 +36,76 @@ std::string promised_columns(const std::string& name) {
     return found == promised.end() ? "" : found->second;
 }
 
-std::set<std::string> stems_in_studies(const std::string& extension) {
-    std::set<std::string> stems;
+std::vector<std::filesystem::path> files_in_studies(const std::string& extension) {
+    std::vector<std::filesystem::path> files;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(LIBRATION_SOURCE_DIR "/studies")) {
         if (entry.path().extension() == extension) {
-            stems.insert(entry.path().stem().string());
+            files.push_back(entry.path());
         }
     }
-    return stems;
+    return files;
+}
+
+// NAME of each `const study& NAME() {`.
+std::vector<std::string> studies_defined_in(const std::filesystem::path& file) {
+    std::vector<std::string> names;
+    std::ifstream source(file);
+    const std::string start = "const study& ";
+    for (std::string line; std::getline(source, line);) {
+        if (line.starts_with(start) && line.ends_with("() {")) {
+            names.push_back(line.substr(start.size(), line.size() - start.size() - 4));
+        }
+    }
+    return names;
 }
 
 }  // namespace
 
-TEST_CASE("each NAME.cpp in studies/ and its folders is the study NAME, and no other is known", "[studies]") {
+TEST_CASE("each file of studies/ and its folders defines studies, and no other is known", "[studies]") {
+    std::set<std::string> defined;
+    for (const auto& file : files_in_studies(".cpp")) {
+        INFO(file);
+        const auto names = studies_defined_in(file);
+        CHECK_FALSE(names.empty());
+        // A file of one study has its name.
+        CHECK((names.size() != 1 || names.front() == file.stem()));
+        defined.insert(names.begin(), names.end());
+    }
     std::set<std::string> names;
     for (const study* each : all_studies()) {
         names.insert(each->name);
     }
-    CHECK(names == stems_in_studies(".cpp"));
+    CHECK(names == defined);
     CHECK(names.size() == all_studies().size());
     CHECK(names.contains("error_norm"));
 }
 
 TEST_CASE("each study has a figure script, a title, a question, a text for the report and a cost", "[studies]") {
-    const auto scripts = stems_in_studies(".gp");
+    std::set<std::string> scripts;
+    for (const auto& file : files_in_studies(".gp")) {
+        scripts.insert(file.stem());
+    }
     for (const study* each : all_studies()) {
         INFO(each->name);
-        CHECK(scripts.contains(each->name));
+        CHECK(scripts.contains(each->script.empty() ? each->name : each->script));
         CHECK_FALSE(each->title.empty());
         CHECK(each->question.ends_with("?"));
         CHECK(each->reading.ends_with("."));
         CHECK((each->needs_equation() || each->seconds > 0));
+    }
+}
+
+TEST_CASE("scripts of figures plot columns: no other program computes, and each is short", "[studies][figures]") {
+    for (const auto& file : files_in_studies(".gp")) {
+        INFO(file);
+        std::ifstream source(file);
+        long lines = 0;
+        for (std::string line; std::getline(source, line); ++lines) {
+            INFO(line);
+            CHECK((line.starts_with("#") ||
+                   (line.find("awk") == std::string::npos && line.find("system(") == std::string::npos)));
+        }
+        CHECK((lines <= 100 || file.stem() == "style"));
     }
 }
 

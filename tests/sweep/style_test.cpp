@@ -18,13 +18,10 @@ using libration::tests::text_of_file;
 
 namespace {
 
-const std::string out_of_sight = "\n1e99,1e99\n";
-
 // What a script prints after style.gp, the table "t.csv" standing in the folder.
 class asked_by_gnuplot {
 public:
-    explicit asked_by_gnuplot(const std::string& script, const std::string& scratch = "points") {
-        fs::create_directory(folder_.path() / "points");
+    explicit asked_by_gnuplot(const std::string& script) {
         std::ofstream(folder_.path() / "t.csv") << "group,order,x,y\n"
                                                    "a,1,1/4,-2\n"
                                                    "a,2,0.5,3\n"
@@ -32,14 +29,14 @@ public:
                                                    "b,3,4,1e-7\n"
                                                    "a,1,0.75,\n";
         std::ofstream(folder_.path() / "script.gp") << "load scripts.'/style.gp'\nt = 't.csv'\n" << script;
-        const std::string setting = "cd '" + folder_.path().string() + "'; data = '.'; target = '.'; scratch = '" +
-                                    scratch + "'; scripts = '" + studies_folder() + "'; set print 'said'";
+        const std::string setting = "cd '" + folder_.path().string() +
+                                    "'; data = '.'; target = '.'; tables = 't.csv '; scripts = '" + studies_folder() +
+                                    "'; set print 'said'";
         code_ = run_program({"gnuplot", "-e", setting, (folder_.path() / "script.gp").string()});
     }
 
     int code() const { return code_; }
     std::string said() const { return text_of_file(folder_.path() / "said"); }
-    std::string file(const std::string& name) const { return text_of_file(folder_.path() / name); }
 
 private:
     temporary_folder folder_;
@@ -48,55 +45,37 @@ private:
 
 }  // namespace
 
-TEST_CASE("a script of figures asks the shell each question once", "[sweep][figures]") {
+TEST_CASE("a script of figures is told the values and ends of columns and single cells", "[sweep][figures]") {
     const asked_by_gnuplot script(
-        "first = 'echo first >> runs; echo 5'\nsecond = 'echo second >> runs; echo \"two words\"'\n"
-        "do for [kind in terminals] { print ask(first); print ask(second); print ask(first) }\n"
-        "print points_by('echo points >> runs; echo 1,2') eq points_by('echo points >> runs; echo 1,2')\n");
+        "eval seen('list', t, 'group', '1')\nprint words(list), listed(list, 'b') > 0, listed(list, 'c')\n"
+        "eval seen_together('list', t, 'group order', \"has('y')\")\nprint list\n"
+        "eval extent('y', t, 'y', '1')\nprint y_low, y_high\neval extent('y', t, 'x y', '1')\nprint y_low, y_high\n"
+        "eval extent('y', t, '3', \"is('group', 'a')\")\nprint y_low, y_high\n"
+        "eval extent('y', t, 'y', \"is('group', 'c')\")\nprint y_low, y_high\n"
+        "eval first_cell('cell', t, 'y', \"is('group', 'b') && is('order', '3')\")\nprint cell\n"
+        "eval last_cell('cell', t, 'order', \"is('group', 'a')\")\nprint cell\n"
+        "eval first_cell('cell', t, 'y', \"is('group', 'c')\")\nprint '<'.cell.'>'\n"
+        "eval count_of('n', t, \"at('x') < 1\")\nprint n\neval has_column('has_it', t, 'y')\nprint has_it\n"
+        "eval has_column('has_it', t, 'z')\nprint has_it, exists_file('./t.csv'), exists_file('./u.csv')\n");
     CHECK(script.code() == 0);
-    CHECK(script.said() == "5\ntwo words\n5\n5\ntwo words\n5\n5\ntwo words\n5\n1\n");
-    CHECK(script.file("runs") == "first\nsecond\npoints\n");
+    CHECK(
+        script.said() ==
+        "2 1 0\n \"a,1\" \"a,2\" \"b,1\" \"b,3\"\n-2.0 3.0\n-2.0 4.0\n0.25 0.75\n0.0 1.0\n1e-7\n1\n<>\n3\n1\n0 1 0\n");
 }
 
-TEST_CASE("a script of figures is told the ends of columns and single cells", "[sweep][figures]") {
-    const asked_by_gnuplot script(
-        "print least(t, '4', '1', 9)\nprint greatest(t, '3 4', '1', 9)\nprint greatest(t, '3', '$1 == \"a\"', 9)\n"
-        "print least(t, '4', '$1 == \"c\"', 9)\n"
-        "print cell_at(t, 4, '1 2', 'b,3', '1')\nprint cell_at(t, 2, '1', 'a', '$2 > 1')\n"
-        "print '<'.cell_at(t, 4, '1', 'c', '1').'>'\nprint or_0(cell_at(t, 4, '1', 'c', '1'))\n");
-    CHECK(script.code() == 0);
-    CHECK(script.said() == "-2.0\n4.0\n0.75\n9.0\n1e-7\n2\n<>\n0\n");
-}
-
-TEST_CASE("the rows of many curves are told apart by their cells in one reading", "[sweep][figures]") {
-    const asked_by_gnuplot script(
-        "print rows_at(t, 3, 4, '1', 'a', '1')\nprint rows_at(t, 3, 4, '1', 'b', '1')\n"
-        "print rows_at(t, 3, 4, '1', 'c', '1')\nprint rows_at(t, 3, 4, '1 2', 'a,1', '1')\n"
-        "print broken_at(t, 3, 4, '1', 'b')\nprint parts_at(t, '$2', '-$2', '1', 'b', '$1 == \"b\" && $2 < 3')\n"
-        "print rows(t, 3, 4, '$1 == \"a\"')\n");
-    const std::string rows_of_a = "x,y\n0.25,-2\n0.5,3\n";
-    CHECK(script.code() == 0);
-    CHECK(script.said() ==
-          "points/1-1.csv\npoints/1-2.csv\npoints/1-0.csv\npoints/2-1.csv\npoints/3-2.csv\npoints/4-1.csv\n"
-          "points/5.csv\n");
-    CHECK(script.file("points/1-1.csv") == rows_of_a + out_of_sight);
-    CHECK(script.file("points/1-2.csv") == "x,y\n4,1e-7\n" + out_of_sight);
-    CHECK(script.file("points/1-0.csv") == "x,y\n" + out_of_sight);
-    CHECK(script.file("points/2-1.csv") == "x,y\n0.25,-2\n" + out_of_sight);
-    CHECK(script.file("points/3-2.csv") == "x,y\n2,-inf\n4,1e-7\n" + out_of_sight);
-    CHECK(script.file("points/4-1.csv") == "x,y\n1,-1\n" + out_of_sight);
-    CHECK(script.file("points/5.csv") == rows_of_a + out_of_sight);
-}
-
-TEST_CASE("a table of more curves than a process may have files open is read as well", "[sweep][figures]") {
-    const asked_by_gnuplot script(
-        "system(\"awk 'BEGIN { print \\\"c,x,y\\\"; for (x = 0; x < 2; ++x) for (c = 0; c < 3000; ++c) print c "
-        "\\\",\\\" x \\\",\\\" c + x }' > many.csv\")\n"
-        "print rows_at('many.csv', 2, 3, '1', '7', '1')\nprint rows_at('many.csv', 2, 3, '1', '2999', '1')\n");
-    CHECK(script.code() == 0);
-    CHECK(script.said() == "points/1-8.csv\npoints/1-3000.csv\n");
-    CHECK(script.file("points/1-8.csv") == "x,y\n0,7\n1,8\n" + out_of_sight);
-    CHECK(script.file("points/1-3000.csv") == "x,y\n0,2999\n1,3000\n" + out_of_sight);
+TEST_CASE("the rows of a curve are those with its cells", "[sweep][figures]") {
+    const std::string drawn =
+        "set terminal dumb\nset output 'plot'\nset table 'points'\nset xrange [0:9]\nset yrange [-9:9]\n"
+        "eval 'plot '.rows(t, 'x', 'y', \"is('group', '%s')\").' with points'\nunset table\n"
+        "lines = system(\"grep ' i$' points\")\nprint lines\n";
+    const auto points_of = [&](const std::string& group) {
+        std::string script = drawn;
+        script.replace(script.find("%s"), 2, group);
+        return asked_by_gnuplot(script).said();
+    };
+    CHECK(points_of("a") == " 0.25 -2  i\n 0.5  3  i\n");
+    CHECK(points_of("b") == " 4  1e-07  i\n");
+    CHECK(points_of("c") == "\n");
 }
 
 TEST_CASE("a script of figures prints numbers and words of tables as a reader writes them", "[sweep][figures]") {
@@ -133,13 +112,6 @@ TEST_CASE("the line of a Domb-Sykes plot follows from a verdict", "[sweep][figur
     CHECK(script.said() ==
           "0.5\n-0.5\n-0.125\n0\n0\n3.0\n2.5e-07\nR = 3.940211 ± 6·10^{−6}\n"
           "R ≈ 1.5707963267949, uncertainty 1.9·10^{−19}\n");
-}
-
-TEST_CASE("points that cannot be written end a script of figures", "[sweep][figures]") {
-    const std::string nowhere = "no such folder";
-    CHECK(asked_by_gnuplot("print points_by('echo 1,2')\n").code() == 0);
-    CHECK(asked_by_gnuplot("print points_by('echo 1,2')\n", nowhere).code() != 0);
-    CHECK(asked_by_gnuplot("print rows_at(t, 3, 4, '1', 'a', '1')\n", nowhere).code() != 0);
 }
 
 }  // namespace sweep_style_test

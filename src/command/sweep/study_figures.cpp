@@ -59,33 +59,26 @@ std::vector<fs::path> figures_in(const std::string& folder) {
     return found;
 }
 
-// A directory for intermediate files of a drawing, removed in any case.
-class scratch_folder {
-public:
-    explicit scratch_folder(fs::path path) : path_(std::move(path)) { fs::create_directory(path_); }
-    scratch_folder(const scratch_folder&) = delete;
-    scratch_folder& operator=(const scratch_folder&) = delete;
-    ~scratch_folder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
+// The names of its tables, as a script asks which of them exist.
+std::string tables_in(const std::string& folder) {
+    std::string names;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        if (entry.path().extension() == ".csv") {
+            names += entry.path().filename().string() + " ";
+        }
     }
+    return names;
+}
 
-private:
-    fs::path path_;
-};
-
-// In the directory itself, so that no character of its path is special to the shell that reads the tables.
 void run_gnuplot(const std::string& name, const script_variables& variables, const std::vector<std::string>& kinds,
                  const std::string& folder) {
     const fs::path script = script_of(name);
-    const std::string scratch = ".points";
-    std::string setting =
-        fmt::format("cd {}; data = '.'; target = '.'; scratch = {}; scripts = {}; terminals = {}", quoted(folder),
-                    quoted(scratch), quoted(studies_folder()), quoted(fmt::format("{}", fmt::join(kinds, " "))));
+    std::string setting = fmt::format("cd {}; data = '.'; target = '.'; tables = {}; scripts = {}; terminals = {}",
+                                      quoted(folder), quoted(tables_in(folder)), quoted(studies_folder()),
+                                      quoted(fmt::format("{}", fmt::join(kinds, " "))));
     for (const auto& [variable, text] : variables) {
         setting += fmt::format("; {} = {}", variable, quoted(text));
     }
-    const scratch_folder between(fs::path(folder) / scratch);
     const int code = run_program({"gnuplot", "-e", setting, script.string()});
     if (code == 127) {
         throw input_error("gnuplot is not installed: install the Debian package gnuplot-nox");
