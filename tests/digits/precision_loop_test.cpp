@@ -171,7 +171,7 @@ TEST_CASE("a proof ends after a million bits, by what no run helps, and by error
     CHECK(thrown->subject() == "a sign");
     CHECK_THROWS_WITH(prove_digits(15, "time",
                                    [](const run_bits&, run_demand&) {
-                                       throw error(error_kind::argument, "time", "-1", "is negative");
+                                       throw error(error_kind::argument, error_subject::time, "-1", "is negative");
                                    }),
                       "time '-1' is negative");
 }

@@ -71,7 +71,7 @@ TEST_CASE("a value that is missing has its reason, and an empty text is a value"
     const answer part{.names = {"time", "why"},
                       .rows = {{{"1", ""}, text_value("")}, {{"", ""}, text_value("")}, {}},
                       .rigour = "proved",
-                      .missing = error(error_kind::undecided, "time", "", "is up")};
+                      .missing = error(error_kind::undecided, error_subject::time, "", "is up")};
     CHECK(part.at(0, "time") == "1");
     CHECK(part.at(0, "why").empty());
     CHECK_THROWS_WITH(part.at(1, "time"), "time is up");
@@ -205,7 +205,7 @@ TEST_CASE("the drift of an invariant is that of the finished states", "[problem]
     const answer all = x->states("0, 1, 2, 3", how);
     how.progress = [](double part) {
         if (part >= 0.5) {
-            throw error(error_kind::undecided, "time", "", "is up");
+            throw error(error_kind::undecided, error_subject::time, "", "is up");
         }
     };
     const answer two = x->states("0, 1, 2, 3", how);

@@ -20,7 +20,7 @@ bool agree(const mpfr& a, const mpfr& b, long digits);
 /// The last result of compute(run), in the precision of the run, for which same(previous, it) holds; a run that returns
 /// std::nullopt confirms nothing and is not compared with. Throws as with_growing_precision.
 template <class Compute, class Same>
-auto until_two_agree(const growing_digits& digits, const std::string& subject, const Compute& compute,
+auto until_two_agree(const growing_digits& digits, const subject_name& subject, const Compute& compute,
                      const Same& same) {
     decltype(compute(precision_run{})) before;
     return with_growing_precision(digits, subject, [&](const precision_run& run) {

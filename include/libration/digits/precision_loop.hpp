@@ -54,7 +54,7 @@ auto with_half_more_bits(long first, int attempts, Attempt&& attempt) {
 /// `subject` names the quantity that is undecided after all runs. Throws error of the kind undecided after the last
 /// one, and whatever else attempt throws.
 template <class Attempt>
-auto with_asked_precision(long first, long last, const std::string& subject, Attempt&& attempt) {
+auto with_asked_precision(long first, long last, const subject_name& subject, Attempt&& attempt) {
     long used = first;
     auto result = with_more_precision(first, last, [&](long& digits) -> std::invoke_result_t<Attempt&, long&> {
         used = digits;
@@ -106,7 +106,7 @@ struct precision_run {
 /// The first result of attempt(precision_run), a std::optional; otherwise as with_asked_precision. Cost: with
 /// digit_growth::twofold at most a small multiple of the last run.
 template <class Attempt>
-auto with_growing_precision(const growing_digits& digits, const std::string& subject, Attempt&& attempt) {
+auto with_growing_precision(const growing_digits& digits, const subject_name& subject, Attempt&& attempt) {
     return with_asked_precision(digits.wanted + digits.first, digits.wanted + digits.last, subject, [&](long& used) {
         const long more = used - digits.wanted;
         used = digits.wanted + digits.after(more);
@@ -130,15 +130,17 @@ std::optional<error> undecided_in(const Work& work) {
 
 /// The bits of a run of a proof, and those of its error maps.
 struct run_bits {
+    static constexpr long usual_error_bits = 64;
+
     long bits = 0;
-    long error_bits = 64;
+    long error_bits = usual_error_bits;
 };
 
 /// What a run of a proof found lacking. The largest demand sets the bits of the next run; without one the run was the
 /// last. In all functions `of` is the value of the error that ends the proof (which time, which event).
 class run_demand {
 public:
-    run_demand(long digits, std::string subject) : digits_(digits), subject_(std::move(subject)) {}
+    run_demand(long digits, subject_name subject) : digits_(digits), subject_(std::move(subject)) {}
 
     const run_bits& now() const { return now_; }
     /// Whether another run follows already: the rest of this one is in vain.
@@ -171,7 +173,7 @@ public:
     void ended(const std::string& of, const std::string& reason);
 
 private:
-    friend std::optional<error> prove_digits(long digits, const std::string& subject,
+    friend std::optional<error> prove_digits(long digits, const subject_name& subject,
                                              const std::function<void(const run_bits&, run_demand&)>& run,
                                              run_bits first);
     void begin(const run_bits& with);
@@ -182,7 +184,7 @@ private:
     };
 
     long digits_;
-    std::string subject_;
+    subject_name subject_;
     run_bits now_, next_;
     bool repeats_ = false;
     std::string of_;                     // of the largest demand
@@ -196,7 +198,7 @@ private:
 /// Returns the reason why digits are missing, an error of the kind undecided about `subject`: what the demand says, or
 /// what run throws. The first run has the bits of `first`, or bits_of_first_run(digits). Throws every other error of
 /// run.
-std::optional<error> prove_digits(long digits, const std::string& subject,
+std::optional<error> prove_digits(long digits, const subject_name& subject,
                                   const std::function<void(const run_bits& bits, run_demand& demand)>& run,
                                   run_bits first = {});
 

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "libration/digits/precision_loop.hpp"
 #include "libration/equation/explicit_system.hpp"
 #include "libration/integration/step.hpp"
 
@@ -35,14 +36,6 @@ enum class error_weights {
     absolute,  ///< for a solution that tends to a constant while its derivative vanishes much faster
     any_width  ///< for a set of any width: the proof ends when no step is found, instead of when an unknown is not
                ///< distinguished from 0
-};
-
-/// Bits of the centre of a set, and of the error maps, which is also the precision of the derivative of the flow.
-struct run_bits {
-    static constexpr long usual_error_bits = 64;
-
-    long bits = 0;
-    long error_bits = usual_error_bits;
 };
 
 /// The methods of proofs for a system, nested: the series about a singular initial point (theorem S), roots of the

@@ -11,6 +11,7 @@
 
 #include "libration/equation/explicit_system.hpp"
 #include "libration/expansion/taylor_expansion.hpp"
+#include "libration/number/exact.hpp"
 #include "libration/query/condition_numbers.hpp"
 #include "libration/verification/row_question.hpp"
 

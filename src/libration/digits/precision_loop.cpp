@@ -99,7 +99,7 @@ void run_demand::finish() {
     }
 }
 
-std::optional<error> prove_digits(long digits, const std::string& subject,
+std::optional<error> prove_digits(long digits, const subject_name& subject,
                                   const std::function<void(const run_bits&, run_demand&)>& run, run_bits first) {
     first.bits = first.bits == 0 ? bits_of_first_run(digits) : first.bits;
     run_demand demand(digits, subject);

@@ -29,7 +29,7 @@ partial_trajectory proved_part_of_delay(const delay_system& system, const std::v
     const auto names = names_of_state(system);
     partial_trajectory part;
     part.states.resize(times.size());
-    part.missing = prove_digits(digits, "time", [&](const run_bits& run, run_demand& demand) {
+    part.missing = prove_digits(digits, error_subject::time, [&](const run_bits& run, run_demand& demand) {
         delay_march<ball> march(system, run.bits, watch);
         const precision_scope scope(decimal_digits(run.bits) + 10);
         for (std::size_t i = 0; i < order.size() && !demand.repeats(); ++i) {
@@ -74,7 +74,7 @@ partial_states<T> part_of_delay(const delay_system& system, const std::vector<nu
         for (const std::size_t index : order) {
             const auto state = march.at(times[index]);
             if (!state) {
-                result.missing = error(error_kind::undecided, "time", text_of_time(times[index]),
+                result.missing = error(error_kind::undecided, error_subject::time, text_of_time(times[index]),
                                        text_of_end(march.reached(), "is computed"));
                 break;
             }

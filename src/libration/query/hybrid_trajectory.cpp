@@ -44,7 +44,7 @@ partial_trajectory proved_part_of_hybrid(const hybrid_system& system, const std:
     std::vector<bool> left_open(times.size());
     partial_trajectory part;
     part.states.resize(times.size());
-    part.missing = prove_digits(digits, "time", [&](const run_bits& run, run_demand& demand) {
+    part.missing = prove_digits(digits, error_subject::time, [&](const run_bits& run, run_demand& demand) {
         hybrid_path path(system, run.bits, route, watch);
         const precision_scope scope(decimal_digits(run.bits) + 10);
         for (std::size_t i = 0; i < order.size() && !demand.repeats(); ++i) {
@@ -73,7 +73,7 @@ partial_trajectory proved_part_of_hybrid(const hybrid_system& system, const std:
 hybrid_branches branches_at_times(const hybrid_system& system, const std::vector<number>& times, long digits) {
     const auto order = order_of(system, times);
     hybrid_branches found;
-    found.missing = prove_digits(digits, "time", [&](const run_bits& run, run_demand& demand) {
+    found.missing = prove_digits(digits, error_subject::time, [&](const run_bits& run, run_demand& demand) {
         found.branches.clear();
         hybrid_path path(system, run.bits);
         long events = -1;

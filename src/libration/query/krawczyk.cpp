@@ -100,7 +100,7 @@ public:
         int failed = 0;
         std::vector<known_value> values;
         const auto missing = prove_digits(
-            digits_, "solution",
+            digits_, error_subject::solution,
             [&](const run_bits& run, run_demand& demand) {
                 while (reached < run.bits) {
                     reached = std::min(reached * 2, run.bits);
@@ -131,7 +131,7 @@ private:
         for (const ball& each : residual_) {
             residual += (residual.empty() ? "" : ", ") + rounded_text(each, digits_of_residual);
         }
-        throw error(error_kind::undecided, "solution", "",
+        throw error(error_kind::undecided, error_subject::solution, "",
                     reason + "; the last iterate is " + where +
                         (residual.empty() ? ", where the conditions have no value" : ", with residual " + residual) +
                         ": " + remedy);

@@ -77,7 +77,7 @@ private:
 
     std::optional<std::vector<known_value>> limit_from(const std::vector<ball>& state) const {
         std::vector<known_value> best;
-        prove_digits(digits_, "time", [&](const run_bits& run, run_demand& demand) {
+        prove_digits(digits_, error_subject::time, [&](const run_bits& run, run_demand& demand) {
             const precision_scope scope(decimal_digits(run.bits));
             const auto kept = field_.kept_of(state);
             const auto zero = enclosed_zero(field_, kept);

@@ -55,7 +55,7 @@ inline std::optional<std::vector<ball>> state_at(proved_march& march, const expl
             return enclosed_start(system, bits);
         }
         if (arb_is_negative(constant_value<ball>::of(gone).handle()) != 0) {
-            throw error(error_kind::argument, "time", text_of_time(time),
+            throw error(error_kind::argument, error_subject::time, text_of_time(time),
                         "is before the initial point, where the equation is singular: choose times after it");
         }
     }
@@ -108,9 +108,10 @@ public:
 
     /// Throws only errors of the kind argument.
     partial_trajectory part() {
-        part_.missing = prove_digits(
-            digits_, "time", [this](const run_bits& run, run_demand& demand) { pass_through_times(run, demand); },
-            {.bits = bits_of_first_run(digits_), .error_bits = further_.error_bits});
+        part_.missing =
+            prove_digits(digits_, error_subject::time,
+                         [this](const run_bits& run, run_demand& demand) { pass_through_times(run, demand); },
+                         {.bits = bits_of_first_run(digits_), .error_bits = further_.error_bits});
         for (const collocation_use& each : collocation_) {
             if (each.steps > 0) {
                 part_.collocation.push_back(each);

@@ -21,7 +21,7 @@ inline std::vector<std::size_t> ascending(const std::vector<number>& times, cons
     for (const number& each : times) {
         gone.push_back(constant_value<mpfr>::of(each - point));
         if (gone.back() < 0) {
-            throw error(error_kind::argument, "time", text_of_time(each),
+            throw error(error_kind::argument, error_subject::time, text_of_time(each),
                         "is before the initial point, " + why + ": choose times after it");
         }
     }

@@ -147,7 +147,7 @@ std::vector<ball> problem_truths::proved_state(const exact& time, long digits) {
     }
     auto state = way->at(time, [](const std::vector<ball>& found) { return std::optional(found); });
     if (!state) {
-        throw error(error_kind::undecided, "time", time.text,
+        throw error(error_kind::undecided, error_subject::time, time.text,
                     "is not reached by a proof: a singularity is near, or the solution is chaotic");
     }
     return *std::move(state);

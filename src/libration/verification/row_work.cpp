@@ -23,7 +23,7 @@ void row_work::begin(const number& time, const std::string& text, int direction)
     mean_.reset();
     const auto& limit = given_up_[forward_ ? 1 : 0];
     if (limit && ((time - *limit) * number(rational(direction))).sign() >= 0) {
-        throw work_limit(error_kind::undecided, "time", text,
+        throw work_limit(error_kind::undecided, error_subject::time, text,
                          "is beyond the time of another row, which was not reached");
     }
 }
@@ -67,7 +67,7 @@ bool row_work::is_out_of_reach(const proved_march& march) {
 void row_work::give_up(const proved_march& march, const std::string& reason) {
     given_up_[forward_ ? 1 : 0] = time_;
     const precision_scope scope(20);
-    throw work_limit(error_kind::undecided, "time", text_,
+    throw work_limit(error_kind::undecided, error_subject::time, text_,
                      "is not reached: the proof has reached " + to_decimal(midpoint_of(march.reached()), 6) + " in " +
                          std::to_string(march.steps()) + " steps, and " + reason);
 }

@@ -60,7 +60,7 @@ public:
             ordered_.push_back(&each);
         }
         if (before && after) {
-            throw error(error_kind::argument, "certificate", "",
+            throw error(error_kind::argument, error_subject::certificate, "",
                         "is for times in one direction, and these are on both sides of the initial point: write two");
         }
         std::ranges::stable_sort(ordered_, {}, [&](const claimed_value* each) { return abs(time_of(*each) - origin); });
@@ -192,7 +192,7 @@ std::string certificate_of(const explicit_system& system, const certified_statem
         return std::nullopt;
     });
     if (!text) {
-        throw error(error_kind::undecided, "certificate", claimed.last_time().str(),
+        throw error(error_kind::undecided, error_subject::certificate, claimed.last_time().str(),
                     "has values that are not proved by collocation within the limits of the precision, or steps that "
                     "are not: ask for fewer digits or an earlier time");
     }

@@ -46,7 +46,7 @@ long bits_of_sets(const set_problem& of, long digits) {
                    : std::nullopt;
     });
     if (!found) {
-        throw error(error_kind::undecided, "problem", "",
+        throw error(error_kind::undecided, error_subject::problem, "",
                     "has an interval that a million bits do not distinguish from a number");
     }
     return *found;
