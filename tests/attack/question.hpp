@@ -89,7 +89,7 @@ outcome answered(const std::string& command, const Answer& answer) {
 }
 
 /// Adds the verdict on the digits of a number, or on its bound.
-void add_number(outcome& to, const ode::known_value& number, long digits, const truth& exact, const std::string& name);
+void add_number(outcome& to, const known_value& number, long digits, const truth& exact, const std::string& name);
 
 /// The same for the first unknown at the first time, or the reason why it is missing.
 template <class Part>

@@ -32,7 +32,7 @@ verdict judged_existence(const std::string& message, double from, double singula
     return before ? verdict::refused : verdict::wrong;
 }
 
-void add_number(outcome& to, const ode::known_value& number, long digits, const truth& exact, const std::string& name) {
+void add_number(outcome& to, const known_value& number, long digits, const truth& exact, const std::string& name) {
     if (number.decimal) {
         to.add(judged(*number.decimal, digits, exact), name + " = " + number.decimal->text);
     } else if (!number.bound.empty()) {
