@@ -135,6 +135,8 @@ private:
         int sign;  // of g, or of its derivative
     };
 
+    zero_search(const explicit_system& system, const expression& g, std::unique_ptr<integration> own,
+                step_sequence* along, long bits, int direction, march_watch watch);
     void begin_at(const number& point);
     void begin_at_singular(const flow_state& start);
     // Rounded outwards; the bounds of a step are still valid, since they are those of the distance itself.

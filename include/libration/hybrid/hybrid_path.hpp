@@ -96,8 +96,8 @@ public:
     path_end end() const { return end_; }
     /// Why the path ends, for messages.
     const std::string& reason() const { return reason_; }
-    /// The steps on all branches up to now.
-    long steps() const { return steps_ + (piece_->along ? piece_->along->cost() : 0); }
+    /// The steps that were searched for crossings on all branches up to now, for each surface.
+    long steps() const;
     /// The number of events that change the solution or its branch.
     long events() const { return count_; }
     /// The time of the last of them, or the initial time.

@@ -42,75 +42,57 @@ flow_state state_at_start(const explicit_system& system, const set_start& start,
 
 }  // namespace
 
-zero_search::zero_search(const explicit_system& system, const expression& g, long bits, int direction,
-                         const proof_route& route, march_watch watch)
+// Along its own steps or others.
+zero_search::zero_search(const explicit_system& system, const expression& g, std::unique_ptr<integration> own,
+                         step_sequence* along, long bits, int direction, march_watch watch)
     : form_(system),
       g_(form_.in_leaves(g)),
       slope_(form_.slope_of(g_)),
       gradient_(gradient_of(form_, g_)),
-      own_(steps_from(start_of(system, bits), system, bits, direction, route, error_weights::relative)),
-      along_(*own_),
+      own_(std::move(own)),
+      along_(own_ ? *own_ : *along),
       bits_(bits),
       digits_(decimal_digits(bits) + 10),
       direction_(direction < 0 ? -1 : 1),
       watch_(std::move(watch)),
-      time_(start_of(system, bits).time) {
+      time_(start_of(system, bits).time) {}
+
+zero_search::zero_search(const explicit_system& system, const expression& g, long bits, int direction,
+                         const proof_route& route, march_watch watch)
+    : zero_search(system, g,
+                  steps_from(start_of(system, bits), system, bits, direction, route, error_weights::relative), nullptr,
+                  bits, direction, std::move(watch)) {
     const precision_scope scope(digits_);
-    if (system.singular()) {
-        begin_at_singular(start_of(system, bits));
-        return;
-    }
-    begin_at(system.point());
+    system.singular() ? begin_at_singular(start_of(system, bits)) : begin_at(system.point());
 }
 
 zero_search::zero_search(const explicit_system& system, const expression& g, const set_start& start, long bits,
                          int direction, const proof_route& route, march_watch watch)
-    : form_(system),
-      g_(form_.in_leaves(g)),
-      slope_(form_.slope_of(g_)),
-      gradient_(gradient_of(form_, g_)),
-      own_(steps_from(state_at_start(system, start, bits), system, bits, direction, route, error_weights::any_width)),
-      along_(*own_),
-      bits_(bits),
-      digits_(decimal_digits(bits) + 10),
-      direction_(direction < 0 ? -1 : 1),
-      watch_(std::move(watch)),
-      start_{start.at_zero ? 1 : 0, start.sign, start.at_zero ? slope_ : g_},
-      sign_(start_.beside(direction_)),
-      time_(start_of(system, bits).time) {}
+    : zero_search(
+          system, g,
+          steps_from(state_at_start(system, start, bits), system, bits, direction, route, error_weights::any_width),
+          nullptr, bits, direction, std::move(watch)) {
+    start_ = {start.at_zero ? 1 : 0, start.sign, start.at_zero ? slope_ : g_};
+    sign_ = start_.beside(direction_);
+}
 
 zero_search::zero_search(const explicit_system& system, const expression& g, step_sequence& along, long bits,
                          march_watch watch)
-    : form_(system),
-      g_(form_.in_leaves(g)),
-      slope_(form_.slope_of(g_)),
-      gradient_(gradient_of(form_, g_)),
-      along_(along),
-      bits_(bits),
-      digits_(decimal_digits(bits) + 10),
-      direction_(1),
-      watch_(std::move(watch)),
-      time_(start_of(system, bits).time) {
+    : zero_search(system, g, nullptr, &along, bits, 1, std::move(watch)) {
     const precision_scope scope(digits_);
     begin_at(system.point());
 }
 
 zero_search::zero_search(const explicit_system& system, const expression& g, step_sequence& along,
                          const search_start& start, long bits)
-    : form_(system),
-      g_(form_.in_leaves(g)),
-      slope_(form_.slope_of(g_)),
-      gradient_(gradient_of(form_, g_)),
-      along_(along),
-      bits_(bits),
-      digits_(decimal_digits(bits) + 10),
-      direction_(1),
-      start_{start.order, start.sign, g_},
-      after_(start.begins ? std::optional(upper_bound(*start.begins)) : std::nullopt),
-      sign_(start.sign),
-      time_(start_of(system, bits).time) {
+    : zero_search(system, g, nullptr, &along, bits, 1, {}) {
+    start_ = {start.order, start.sign, g_};
     for (int k = 0; k < start.order; ++k) {
         start_.leading = form_.slope_of(start_.leading);
+    }
+    sign_ = start.sign;
+    if (start.begins) {
+        after_ = upper_bound(*start.begins);
     }
 }
 

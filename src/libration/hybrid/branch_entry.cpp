@@ -282,6 +282,7 @@ bool hybrid_path::enter(const entered_branch& entered, const step_values& values
         reset_last_.push_back(!same_form(entered.leaves[k], system_.leaves()[k]));
     }
     steps_ = steps();
+    search_.reset();
     piece_ = std::move(piece);
     next_.reset();
     crossed_.clear();

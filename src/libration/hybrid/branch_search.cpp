@@ -51,6 +51,14 @@ std::nullopt_t branch_search::ended(path_end why, const std::string& reason) {
     return std::nullopt;
 }
 
+long branch_search::steps() const {
+    long sum = 0;
+    for (const watched& each : watched_) {
+        sum += each.search ? each.search->steps() : 0;
+    }
+    return sum;
+}
+
 void branch_search::resume(std::size_t surface) {
     watched_[surface].found.reset();
     watched_[surface].passed = watched_[surface].of.of.time.has_value();

@@ -52,6 +52,8 @@ public:
     /// Continues the search for a surface behind the crossing that was found.
     void resume(std::size_t surface);
 
+    /// The steps that were searched, for each surface.
+    long steps() const;
     path_end end() const { return end_; }
     /// What is not decided, or where the steps become too small.
     const std::string& reason() const { return reason_; }

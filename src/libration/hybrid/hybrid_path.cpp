@@ -46,6 +46,8 @@ hybrid_path::hybrid_path(const hybrid_system& system, long bits, proof_route rou
 
 hybrid_path::~hybrid_path() = default;
 
+long hybrid_path::steps() const { return steps_ + (search_ ? search_->steps() : 0); }
+
 bool hybrid_path::ended(path_end why, std::string reason) {
     end_ = why;
     reason_ = std::move(reason);
@@ -155,6 +157,9 @@ bool hybrid_path::has_effect(const surface& of, crossing way) const {
 
 // The next crossing that ends the branch or is observed; false for the reason end().
 bool hybrid_path::find(const std::optional<number>& end, const std::optional<number>& farthest, long horizon) {
+    if (!search_) {
+        return false;  // the path has ended
+    }
     piece_->along->aim(farthest ? enclosed_number(*farthest) : infinite_distance(1));
     if (next_) {
         return true;
@@ -246,7 +251,8 @@ std::optional<std::vector<ball>> hybrid_path::at(const number& time, const numbe
                 return state_at_event();
             }
             if (!find(time, last, 0)) {
-                const bool before_end = end_ == path_end::time || (search_->has_reached() && certainly_before(time));
+                const bool before_end =
+                    end_ == path_end::time || (search_ && search_->has_reached() && certainly_before(time));
                 return before_end ? state_before(time) : std::nullopt;
             }
             if (before_or_after(time, *next_) < 0) {
