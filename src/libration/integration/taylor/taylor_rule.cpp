@@ -28,6 +28,20 @@ constexpr int most_halvings_for_width = 5;
 // log2 of the shortest step relative to the time that has passed.
 constexpr long log2_of_least_step = -40;
 
+// The set in the scales of the unknowns, or its box if that is far less wide: if the scales differ by more than the
+// precision of the frame, columns that are not along the axes lose the smaller unknowns.
+lohner_set settled_or_box(const lohner_set& errors, const std::vector<long>& scales) {
+    constexpr long bits_lost = 8;
+    lohner_set settled = errors.settled(scales);
+    std::vector<magnitude> box;
+    bool is_lost = false;
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        box.push_back(errors.reach(i));
+        is_lost = is_lost || box[i].shifted(bits_lost) < settled.reach(i);
+    }
+    return is_lost ? lohner_set(std::move(box)) : settled;
+}
+
 int first_set_order(const run_bits& bits, const proof_route& route) {
     return taylor_order(static_cast<int>(bits.error_bits)) - 2 + route.more_terms;
 }
@@ -143,7 +157,7 @@ bool taylor_rule::expand_centre() {
 // The series of the set with its variations, in low precision, and their remainders.
 bool taylor_rule::expand_set() {
     const precision_scope few(decimal_digits(set_bits_));
-    set_.errors = set_.errors.settled(scales_.exponents());
+    set_.errors = settled_or_box(set_.errors, scales_.exponents());
     if (!expand_variations()) {
         return false;
     }
