@@ -34,10 +34,14 @@ lohner_set settled_or_box(const lohner_set& errors, const std::vector<long>& sca
     constexpr long bits_lost = 8;
     lohner_set settled = errors.settled(scales);
     std::vector<magnitude> box;
-    bool is_lost = false;
+    magnitude largest;  // so that noise in an unknown that has hardly any error does not count
     for (std::size_t i = 0; i < errors.size(); ++i) {
         box.push_back(errors.reach(i));
-        is_lost = is_lost || box[i].shifted(bits_lost) < settled.reach(i);
+        largest = std::max(largest, box.back());
+    }
+    bool is_lost = false;
+    for (std::size_t i = 0; i < box.size(); ++i) {
+        is_lost = is_lost || largest.shifted(bits_lost) < settled.reach(i);
     }
     return is_lost ? lohner_set(std::move(box)) : settled;
 }
