@@ -11,7 +11,7 @@ header(i) = sprintf("stats main every ::0::0 using (header_ = columnhead(%d), 0)
 axes_before(c) = sprintf("axes = ''; axis_numbers = ''; i_ = 1; header_ = ''; eval header(1); while (header_ ne '%s' && header_ ne '') { axes = axes.' \"'.header_.'\"'; axis_numbers = axis_numbers.' '.i_; i_ = i_ + 1; eval header(i_) }", c)
 case_name(v) = case_from(v, 1)
 case_from(v, i) = (comma_ = strstrt(v, ',')) ? word(axes, i).' = '.tidy(v[1:comma_ - 1]).', '.case_from(v[comma_ + 1:*], i + 1) : word(axes, i).' = '.tidy(v)
-hue_name(v) = case_name(v)
+hue_name(v) = hue_by eq '' ? '' : case_name(v)
 tone(h) = words(hues) == 1 ? shade[5] : colour(h, words(hues))
 equation_panels(c) = axes_before(c)."; figure = stem; table = main; panel_by = 'unknown'; most_panels = 6; eval seen('panels', main, 'unknown', '1'); width = words(panels) > 1 ? 520 : 900; y_name_everywhere = 1; hue_by = axis_numbers; hues = '-'; if (axes ne '') { eval seen_together('hues', main, axis_numbers, '1') }; cases = words(hues)"
 # The same for the first combination of the axes alone.

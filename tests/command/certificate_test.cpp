@@ -208,7 +208,7 @@ TEST_CASE("problems without a certificate are refused", "[command][reference][ce
     check_refused({"reference", "--problem", "lorenz", "--time", "1000", "--certificate", "missing/a.cert"},
                   {"--certificate 'missing/a.cert'", "does not exist"}, folder);
     check_refused(words{"reference", "--problem", "y'=k*y; y(0)=1", "--set", "k=1,2", "--time", "1"} + certified,
-                  {"--certificate", "--set chooses 2"}, folder);
+                  {"--certificate", "--set chooses several"}, folder);
     check_refused(words{"reference", "--energy", "1", "--time", "1"} + certified, {"--certificate", "--problem"},
                   folder);
     check_refused(words{"reference", "--problem", "lorenz", "--until", "x = 0", "--from-start"} + certified,

@@ -353,8 +353,8 @@ TEST_CASE("a malformed line of coefficients is named with its number", "[command
     check_refused(file + words{"columns.csv"}, {"--coefficients 'columns.csv'", "line 3", "cells"}, folder);
     check_refused(file + words{"good.csv", "--order", "3"}, {"--order '3'", "is 2"}, folder);
     check_refused(file + words{"good.csv", "--at", "top"}, {"--at 'top'"}, folder);
-    check_refused(file + words{"good.csv", "--energy", "1"}, {"'good.csv'", "--energy '1'"}, folder);
-    check_refused(file + words{"good.csv", "--length", "1"}, {"'good.csv'", "--length '1'"}, folder);
+    check_refused(file + words{"good.csv", "--energy", "1"}, {"--coefficients", "--energy '1'"}, folder);
+    check_refused(file + words{"good.csv", "--length", "1"}, {"--coefficients", "--length '1'"}, folder);
 }
 
 TEST_CASE("radius refuses what is no motion, no order and no point", "[command][radius][bad input]") {

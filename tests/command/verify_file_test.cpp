@@ -65,9 +65,9 @@ TEST_CASE("verify says which columns are missing", "[command][verify][bad input]
 
 TEST_CASE("verify refuses tolerances, inputs and formats that are none", "[command][verify][bad input]") {
     const std::string csv = "time,theta,energy\n0,1,1\n";
-    refuses(csv, {"--ulp", "1", "--tolerance", "1"}, "--ulp '1' comes together with --tolerance '1'");
-    refuses(csv, {"--relative", "1e-9", "--ulp", "1"}, "--ulp '1' comes together with --relative '1e-9'");
-    refuses(csv, {"--rounding", "--ulp", "1"}, "--ulp '1' comes together with --rounding");
+    refuses(csv, {"--ulp", "1", "--tolerance", "1"}, "--ulp '1' is given together with --tolerance or --relative");
+    refuses(csv, {"--relative", "1e-9", "--ulp", "1"}, "--ulp '1' is given together with --tolerance or --relative");
+    refuses(csv, {"--rounding", "--ulp", "1"}, "--ulp '1' is given together with --rounding");
     refuses(csv, {"--tolerance", "x"}, "--tolerance 'x'");
     refuses(csv, {"--inputs", "float"}, "--inputs 'float'");
     refuses(csv, {"--format", "xml"}, "--format 'xml' is not a format");

@@ -40,7 +40,9 @@ const std::set<std::string> general{"interface", "text", "run", "option", "probl
 // Subfolders include the plain files of their module; of their sisters only these.
 const std::set<std::pair<std::string, std::string>> sisters{{"integration/collocation", "integration/taylor"},
                                                             {"integration/delay", "integration/taylor"},
+                                                            {"integration/model", "integration/taylor"},
                                                             {"integration/root", "integration/taylor"},
+                                                            {"integration/root", "integration/singular"},
                                                             {"studies/pendulum", "studies/shared"},
                                                             {"studies/proved", "studies/shared"}};
 

@@ -1,5 +1,5 @@
 // Interface through which a program with FLINT computes the functions that neither MPFR nor C++ provides. The library
-// without FLINT calls it, and function/ball_values implements it, where FLINT is linked.
+// without FLINT calls it, and function/ball_values implements it if FLINT is linked.
 #pragma once
 
 #include <array>

@@ -290,7 +290,8 @@ std::vector<std::string> options_in_tables() {
         for (const rules& table : all) {
             for (const option_rule& rule : table) {
                 for (const std::string& each : parts_of(std::string(rule.options) + ' ' + rule.when, ' ')) {
-                    const auto terms = parts_of(name_before_value(each.substr(each.find_first_not_of('!'))), '|');
+                    const auto terms = parts_of(
+                        name_before_value(each.substr(std::min(each.size(), each.find_first_not_of('!')))), '|');
                     std::ranges::copy_if(terms, std::back_inserter(options), is_option);
                 }
             }

@@ -74,8 +74,6 @@ std::vector<ball> times(const ball_matrix& a, const std::vector<ball>& x) {
     return result;
 }
 
-constexpr const char* better_guess = "try a better initial guess";
-
 // Unknowns that are not distinguished from 0.
 enum class zero_values {
     undecided,  // end the proof
@@ -121,7 +119,8 @@ public:
 
 private:
     // The message ends with the last iterate and the values of F there.
-    [[noreturn]] void refuse_root(const std::string& reason, const std::string& remedy) const {
+    [[noreturn]] void refuse_root(const std::string& reason, const std::string& remedy,
+                                  error_subject subject = error_subject::solution) const {
         std::string where;
         for (std::size_t i = 0; i < x_.size(); ++i) {
             const std::string name = i < names_.size() ? names_[i] : "x" + std::to_string(i + 1);
@@ -131,17 +130,21 @@ private:
         for (const ball& each : residual_) {
             residual += (residual.empty() ? "" : ", ") + rounded_text(each, digits_of_residual);
         }
-        throw error(error_kind::undecided, error_subject::solution, "",
+        throw error(error_kind::undecided, subject, "",
                     reason + "; the last iterate is " + where +
                         (residual.empty() ? ", where the conditions have no value" : ", with residual " + residual) +
                         ": " + remedy);
+    }
+
+    [[noreturn]] void refuse_guess(const std::string& reason) const {
+        refuse_root(reason, "try a better initial guess", error_subject::first_guess);
     }
 
     enclosed_map at(const std::vector<ball>& x, long bits, long error_bits) {
         residual_.clear();
         auto map = f_(x, bits, error_bits);
         if (!map) {
-            refuse_root("is not reached with " + std::to_string(bits) + " bits", better_guess);
+            refuse_guess("is not reached with " + std::to_string(bits) + " bits");
         }
         residual_ = map->value;
         return *std::move(map);
@@ -156,7 +159,7 @@ private:
                 return;
             }
         }
-        refuse_root("is not found, since Newton's method did not converge", better_guess);
+        refuse_guess("is not found, since Newton's method did not converge");
     }
 
     // Performs one step; returns its length relative to x.
@@ -166,13 +169,13 @@ private:
         const enclosed_map map = at(x_, bits, error_bits);
         const auto inverse = inverse_near(map.derivative);
         if (!inverse) {
-            refuse_root("is not isolated: the derivative of the conditions is singular", better_guess);
+            refuse_guess("is not isolated: the derivative of the conditions is singular");
         }
         const auto step = times(*inverse, map.value);
         magnitude longest;
         for (std::size_t i = 0; i < x_.size(); ++i) {
             if (!is_finite(step[i])) {
-                refuse_root("is lost by Newton's method", better_guess);
+                refuse_guess("is lost by Newton's method");
             }
             x_[i] = exact_midpoint(x_[i] - step[i]);
             longest =
@@ -187,7 +190,7 @@ private:
         const enclosed_map here = at(x_, bits, proved_march::usual_error_bits);
         const auto inverse = inverse_near(here.derivative);
         if (!inverse) {
-            refuse_root("is not isolated: the derivative of the conditions is singular", better_guess);
+            refuse_guess("is not isolated: the derivative of the conditions is singular");
         }
         const auto step = times(*inverse, here.value);
         std::vector<magnitude> radii;

@@ -83,7 +83,7 @@ compared_values compare_row(const std::vector<written_value>& values, const row_
                             const compare_rules& rules) {
     const long start = question.first_digits(places_of_row(values, rules));
     constexpr int attempts = 5;
-    std::string undecided = values.front().name;
+    subject_name undecided = values.front().name;
     const auto attempt = [&](const precision_run& run) -> std::optional<compared_values> {
         compared_values here;
         here.proved = question.proved;
