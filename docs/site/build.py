@@ -55,8 +55,21 @@ MODULES = {
         "plane/radius_bound.hpp",
         "plane/proved_singularity.hpp",
     ],
-    "elliptic": ["elliptic/digits_enclosure.hpp", "elliptic/elliptic.hpp"],
-    "pendulum": ["pendulum/digits_enclosure.hpp", "pendulum/pendulum.hpp"],
+    "elliptic": [
+        "elliptic/digits_enclosure.hpp",
+        "elliptic/function_condition.hpp",
+        "elliptic/named_function.hpp",
+        "elliptic/proved_functions.hpp",
+        "elliptic/theta_values.hpp",
+    ],
+    "pendulum": [
+        "pendulum/digits_enclosure.hpp",
+        "pendulum/proved_norm.hpp",
+        "pendulum/condition.hpp",
+        "pendulum/proved_motion.hpp",
+        "pendulum/proved_states.hpp",
+        "pendulum/proved_theta.hpp",
+    ],
     "problem": ["problem/catalogue.hpp"],
 }
 
@@ -233,11 +246,14 @@ def c_page(source):
 def headers_of(module):
     """The headers of a module's page: those that its umbrella header includes, and those named above."""
     umbrella = f"{module}/{module}.hpp"
+    of_module = f"{module}/"
+    if not (ROOT / "include/libration" / umbrella).exists():  # of several directories
+        umbrella, of_module = f"{module}.hpp", ""
     included = re.findall(r'#include "libration/([^"]+)"', (ROOT / "include/libration" / umbrella).read_text())
-    found = [each for each in included if each.startswith(f"{module}/")] or []
+    found = [each for each in included if each.startswith(of_module)]
     for each in MODULES[module]:
         text = (ROOT / "include/libration" / each).read_text()
-        if each.rpartition("/")[2].removesuffix(".hpp") in ("asymptotic", *MODULES) and "#include" in text:
+        if each.rpartition("/")[2] == "asymptotic.hpp" and "#include" in text:
             found += [each for each in re.findall(r'#include "libration/([^"]+)"', text) if each.startswith(f"{module}/")]
         if re.search(r"^(?:template|class|struct|inline|std|[a-z_:<>]+ [a-z_]+\()", text, flags=re.M):
             found.append(each)

@@ -34,7 +34,7 @@ set_column unit_vector(std::size_t size, std::size_t k) {
 class orthogonal_factor {
 public:
     std::vector<set_column> of(const std::vector<set_column>& all, const std::vector<std::size_t>& order,
-                           const std::vector<std::size_t>& zero) {
+                               const std::vector<std::size_t>& zero) {
         done_.assign(all.size(), {});
         const std::size_t others = all.size() - zero.size();
         for (std::size_t k = 0; k < zero.size(); ++k) {
