@@ -51,6 +51,17 @@ LIMITS = "certificates/limits_test.cpp"
 
 FAULTS = [
     *in_file(
+        "src/libration/hybrid/crossing_set.cpp", ["hybrid/crossing_set_test.cpp"],
+        ("the motion of the next branch forgotten", "value(partial(reset, variable())) - slopes_after[map.size() - 1];",
+         "value(partial(reset, variable()));"),
+        ("the motion of the branch before forgotten", "moved += by[l] * slopes[l];", ""),
+        ("the time in a reset forgotten", "ball moved = value(partial(reset, variable()))", "ball moved = ball(0)"),
+        ("the time of the event without its derivative", "of_time[j] -= by * flow[l][j] / slope_of_g;", ""),
+        ("the change of the flow to the beginning forgotten", "magnitude(change * sum)", "magnitude()"),
+        ("the centre at its own time of the event", "states_moved(at.after, centre, *crossing, *around_centre, at.begin)", "centre"),
+        ("solutions that do not cross", "return is_finite(next) && contains(times, next);", "return true;"),
+    ),
+    *in_file(
         "src/libration/integration/taylor/batch_march.cpp", ["integration/taylor/batch_march_test.cpp"],
         ("the step of one lane for all", "of.length = h.value;", "of.length = lane == 0 ? h.value : lanes_[0].length;"),
         ("a time beyond the step", "std::abs(time - centres_[lane]) <= lanes_[lane].length",

@@ -245,10 +245,9 @@ std::optional<state_set> hybrid_path::set_behind_event(const entered_branch& ent
     }
     const ball begin = next_->exactly ? next_->time : lower_bound(next_->time);
     const expression* const g = next_->exactly ? nullptr : &crossed_.front().of.g;
-    return here == nullptr
-               ? std::nullopt
-               : set_after_crossing(*here, {first_order_form(piece_->system), first_order_form(next.system),
-                                            entered.leaves, g, next_->time, begin, entered.state, next.on_the_way});
+    return here == nullptr ? std::nullopt
+                           : set_after_crossing(*here, {first_order_form(piece_->system), first_order_form(next.system),
+                                                        entered.leaves, g, next_->time, begin});
 }
 
 // From the states after the event at a time of its ball to the branch from the beginning of that ball.

@@ -31,26 +31,42 @@ std::vector<ball> reset_state(const set_crossing& at, const std::vector<ball>& s
     return result;
 }
 
-// The time at which the solution through the centre of the set crosses, by one step of Newton's method.
-std::optional<ball> crossing_of_centre(const taylor_series& series, const ball& begin, const set_crossing& at) {
-    if (at.g == nullptr) {
-        return at.time;
-    }
+// Newton's step for g from the middle of a ball of times, by the states at the middle and in the ball.
+ball newton_step(const set_crossing& at, const ball& times, const std::vector<ball>& in_middle,
+                 const std::vector<ball>& all) {
     const expression g = at.before.in_leaves(*at.g);
-    const ball middle = midpoint_alone(at.time);
-    const ball value = values_in(at.before, series.flow_of_centre(middle - begin), middle).of(g);
-    const ball slope = values_in(at.before, series.flow_of_centre(at.time - begin), at.time).of(at.before.slope_of(g));
-    const ball found = middle - value / slope;
+    const ball middle = midpoint_alone(times);
+    return middle -
+           values_in(at.before, in_middle, middle).of(g) / values_in(at.before, all, times).of(at.before.slope_of(g));
+}
+
+// Whether every solution through the set of the step has a zero of g in these times: g' excludes 0, and the interval
+// Newton step stays within them.
+bool every_solution_crosses(const step& here, const set_crossing& at, const ball& times) {
+    const ball& begin = here.from().time;
+    const ball next = newton_step(at, times, here.values(distance_between(midpoint_alone(times), begin)),
+                                  here.values(distance_between(times, begin)));
+    return is_finite(next) && contains(times, next);
+}
+
+// The time at which the solution through the centre of the set crosses, one of `times`.
+std::optional<ball> crossing_of_centre(const taylor_series& series, const ball& begin, const set_crossing& at,
+                                       const ball& times) {
+    if (at.g == nullptr) {
+        return times;
+    }
+    const ball found = newton_step(at, times, series.flow_of_centre(distance_between(midpoint_alone(times), begin)),
+                                   series.flow_of_centre(distance_between(times, begin)));
     ball both;
-    const bool meet = is_finite(found) &&
-                      arb_intersection(both.handle(), found.handle(), at.time.handle(), ball::working_bits()) != 0;
+    const bool meet =
+        is_finite(found) && arb_intersection(both.handle(), found.handle(), times.handle(), ball::working_bits()) != 0;
     return meet ? std::optional(both) : std::nullopt;
 }
 
 // A bound of |D - 1|, entry by entry, for the derivative D of the flow of the next branch over at most the diameter of the
-// ball of times: exp(w L) - 1, L the norm of the derivative of the right-hand side.
-ball change_of_flow(const set_crossing& at) {
-    auto values = values_in(at.after, at.around, at.time);
+// ball of times, in the states `around`: exp(w L) - 1, L the norm of the derivative of the right-hand side.
+ball change_of_flow(const set_crossing& at, const ball& times, const std::vector<ball>& around) {
+    auto values = values_in(at.after, around, times);
     ball largest(0);
     for (const expression& slope : at.after.slopes) {
         ball sum(0);
@@ -59,16 +75,18 @@ ball change_of_flow(const set_crossing& at) {
         }
         largest = upper_bound(hull(sum, largest));
     }
-    const ball width = magnitude::radius_of(at.time).shifted(1).exact();
+    const ball width = magnitude::radius_of(times).shifted(1).exact();
     return upper_bound(expm1(largest * width));
 }
 
-// Of the states at `begin` by those at the beginning of the step: over all solutions of the set.
-ball_matrix map_of_crossing(const ball_matrix& flow, const std::vector<ball>& states, const set_crossing& at) {
-    auto values = values_in(at.before, states, at.time);
+// The derivative of the states at `begin` by those at the beginning of the step, without the factor D: over all solutions
+// of the set, with the states before and after the event.
+ball_matrix map_of_crossing(const ball_matrix& flow, const std::vector<ball>& states, const std::vector<ball>& after,
+                            const set_crossing& at, const ball& times) {
+    auto values = values_in(at.before, states, times);
     const auto value = [&](const expression& e) { return values.of(at.before.in_leaves(e)); };
-    const auto slopes = at.before.slopes_at(states, at.time);
-    const auto slopes_after = at.after.slopes_at(at.state_after, at.time);
+    const auto slopes = at.before.slopes_at(states, times);
+    const auto slopes_after = at.after.slopes_at(after, times);
     const std::size_t n = states.size();
     std::vector<ball> of_time(n, ball(0));
     if (at.g != nullptr) {
@@ -104,19 +122,29 @@ ball_matrix map_of_crossing(const ball_matrix& flow, const std::vector<ball>& st
 
 std::optional<state_set> set_after_crossing(const step& here, const set_crossing& at) {
     const auto* const by_series = dynamic_cast<const series_step*>(&here);
-    const ball distance = distance_between(at.time, here.from().time);
-    if (by_series == nullptr || !here.covers(distance)) {
+    const ball times = at.g == nullptr ? at.time : widened(at.time, magnitude::radius_of(at.time));
+    const ball& start = here.from().time;
+    const ball distance = distance_between(times, start);
+    if (by_series == nullptr || !here.covers(distance) ||
+        (at.g != nullptr && !every_solution_crosses(here, at, times))) {
         return std::nullopt;
     }
     const taylor_series& series = *by_series->series();
-    const auto crossing = crossing_of_centre(series, here.from().time, at);
-    if (!crossing) {
+    const auto states = here.values(distance);
+    const auto after = reset_state(at, states, times);
+    const auto around = at.g == nullptr ? std::optional(after) : states_around(at.after, after, times);
+    const auto crossing = crossing_of_centre(series, start, at, times);
+    if (!around || !crossing) {
         return std::nullopt;
     }
-    const auto centre = reset_state(at, series.flow_of_centre(*crossing - here.from().time), *crossing);
-    const auto image = at.g == nullptr ? centre : states_moved(at.after, centre, *crossing, at.around, at.begin);
-    ball_matrix map = map_of_crossing(series.derivative_of_flow(distance), here.values(distance), at);
-    const ball change = at.g == nullptr ? ball(0) : change_of_flow(at);
+    const auto centre = reset_state(at, series.flow_of_centre(distance_between(*crossing, start)), *crossing);
+    const auto around_centre = at.g == nullptr ? std::optional(centre) : states_around(at.after, centre, times);
+    if (!around_centre) {
+        return std::nullopt;
+    }
+    const auto image = at.g == nullptr ? centre : states_moved(at.after, centre, *crossing, *around_centre, at.begin);
+    ball_matrix map = map_of_crossing(series.derivative_of_flow(distance), states, after, at, times);
+    const ball change = at.g == nullptr ? ball(0) : change_of_flow(at, times, *around);
     const auto all_finite = [](const auto& all) {
         return std::ranges::all_of(all, [](const ball& x) { return is_finite(x); });
     };
