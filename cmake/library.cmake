@@ -134,7 +134,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/libration-config-version.
     COMPATIBILITY SameMinorVersion)
 
 # Component "headers": for C++ projects. Component "command": the program and its figure scripts. The library is exported
-# in a file of its own, which is included only if FLINT is found.
+# in a separate file, which is included only if FLINT is found.
 install(TARGETS libration-headers EXPORT libration-headers-targets)
 install(TARGETS libration
     EXPORT libration-targets

@@ -136,14 +136,14 @@ upper_panel = "set format x ''; unset xlabel; set bmargin 1"
 lower_panel = "unset title; set format x '%g'; set bmargin 3.6"
 # The strip of the key: only the names of the curves are drawn in it.
 key_strip = "unset title; unset xlabel; unset ylabel; unset tics; unset border; unset grid; unset arrow; unset label; unset logscale; unset format; set xrange [0:1]; set yrange [0:1]; set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0; set origin 0, 0; set size 1, foot / tall; set key inside center center horizontal Left reverse samplen 2.6 width 1"
-# --- panels: a figure of equal panels, which shared/panels.gp draws. A script sets, where a default does not serve:
+# --- panels: a figure of equal panels, which shared/panels.gp draws. A script sets, unless a default is right:
 # `figure`, `title_text`, `below_text`: the name of the file, and its headings;
 # `table`, `panel_by`, `hue_by`, `kind_by`: a file, and the columns whose values make panels, colours, and dashes or
 #     marks, in the rows with the condition `always`; `panels`, `hues`, `kinds`: these values. hue_by may be several
 #     columns, 'c c', with the values "v,v";
 # `x`, `x_name`, `x_axis`: column or expression, its name, and commands that set the range; `y_name`, `y_axis`; or
 #     `y_together`: the columns that have a common range;
-# `prepare`, `finish`: commands before and after each panel, which knows its number `p`, its value `this` and, with
+# `prepare`, `finish`: commands before and after each panel, with its number `p`, its value `this` and, with
 #     `rows_down` of them, its `row`, and may set any of these and `panel_title`;
 # `layers`: elements of plot; `key`: those of the key, with `entries` of `letters` letters.
 panel_defaults = "panel_by = ''; hue_by = ''; kind_by = ''; panels = ''; hues = ''; kinds = ''; always = '1'; title_text = ''; below_text = ' '; x = ''; x_name = ''; x_axis = ''; y_name = ''; y_axis = ''; y_together = ''; y_where = '1'; y_name_everywhere = 0; prepare = ''; finish = ''; layers = ''; key = ''; entries = 0; letters = 16; rows_down = 1; most_panels = 9; most_across = 3; width = 0; height = 0"

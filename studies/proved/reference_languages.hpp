@@ -20,8 +20,8 @@ struct value_grid {
 };
 
 /// What is written in a language: the start, a part for each problem, a second part for each, and the end. {problem},
-/// {unknowns}, {times} and {values} stand for those of a problem, {m} and {n} for the numbers of unknowns and times, {count}
-/// for the number of problems; a line of values is between `before` and `after`.
+/// {unknowns}, {times} and {values} are replaced by those of a problem, {m} and {n} by the numbers of unknowns and times,
+/// {count} by the number of problems; a line of values is between `before` and `after`.
 struct reference_language {
     std::string_view file, start, part, before, after;
     std::string_view middle = {}, second_part = {};

@@ -1,4 +1,4 @@
-// The one loop over precision: a computation is repeated with more bits, or digits, until nothing lacks. There is
+// The one loop over precision: a computation is repeated with more bits, or digits, until nothing is missing. There is
 // always a last precision; what it leaves open is an error of the kind undecided, never a longer wait.
 #pragma once
 
@@ -23,7 +23,7 @@ constexpr long bits_of_digits(long digits) { return digits * 3322 / 1000 + 4; }
 /// Of the first run of a proof of so many digits.
 constexpr long bits_of_first_run(long digits) { return bits_of_digits(digits) + 64; }
 
-/// The loop: the first result of attempt(precision), a std::optional. An attempt without one stores in `precision` that
+/// The first result of attempt(precision), a std::optional. An attempt without one stores in `precision` that
 /// of the next attempt; beyond `last` there is none, and no result.
 template <class Attempt>
 std::invoke_result_t<Attempt&, long&> with_more_precision(long first, long last, Attempt&& attempt) {
@@ -136,14 +136,14 @@ struct run_bits {
     long error_bits = usual_error_bits;
 };
 
-/// What a run of a proof found lacking. The largest demand sets the bits of the next run; without one the run was the
+/// What a run of a proof lacked. The largest demand sets the bits of the next run; without one the run was the
 /// last. In all functions `of` is the value of the error that ends the proof (which time, which event).
 class run_demand {
 public:
     run_demand(long digits, subject_name subject) : digits_(digits), subject_(std::move(subject)) {}
 
     const run_bits& now() const { return now_; }
-    /// Whether another run follows already: the rest of this one is in vain.
+    /// Whether another run already follows, so that the rest of this one is not needed.
     bool repeats() const { return repeats_; }
 
     /// Keeps the digits that `now` proves, else a bound. A value that excludes 0 needs the bits that it lacks; one that
@@ -165,7 +165,7 @@ public:
     void twice_the_bits(const std::string& of) { more_bits(2 * now_.bits, of); }
     /// Twice the bits of the error maps.
     void more_error_bits(const std::string& of);
-    /// The precision was exhausted after this part of the way: its loss, extrapolated to the whole way, and a margin.
+    /// The precision was exhausted at this fraction of the interval: the loss, extrapolated to the end, and a margin.
     void ended_part_way(double part, const std::string& of);
     /// Twice the bits for a question that more bits may decide; beyond `most` of them the reason why it is not decided.
     void undecided(const std::string& of, const std::string& reason, long most);
@@ -194,8 +194,9 @@ private:
     std::optional<error> missing_;
 };
 
-/// The proof of so many digits: calls run(bits, demand) until nothing lacks or no run within the limits proves more.
-/// Returns the reason why digits are missing, an error of the kind undecided about `subject`: what the demand says, or
+/// The proof of so many digits: calls run(bits, demand) until nothing is missing or no run within the limits proves
+/// more.
+/// Returns the reason why digits are missing, an error of the kind undecided about `subject`: that of the demand, or
 /// what run throws. The first run has the bits of `first`, or bits_of_first_run(digits). Throws every other error of
 /// run.
 std::optional<error> prove_digits(long digits, const subject_name& subject,

@@ -152,7 +152,7 @@ private:
     std::unique_ptr<path_piece> piece_;
     std::vector<followed_mode> modes_;       // up to now
     std::unique_ptr<branch_search> search_;  // on the branch
-    std::size_t state_step_ = 0;             // of the last state that was asked on it
+    std::size_t state_step_ = 0;             // of the last requested state on it
     long steps_ = 0;                         // on the branches before
     std::optional<path_event> next_;         // at which the branch ends
     std::vector<crossed_surface> crossed_;   // there

@@ -33,8 +33,8 @@ public:
 
 class integration : public step_sequence {
 public:
-    /// Towards times up to `farthest`, infinite without a last one, by a rule with so many bits. The watch is called
-    /// between steps, the observer for each step.
+    /// Towards times up to `farthest`, infinite without a last one, by a rule with so many bits. The progress
+    /// callback is called between steps, the observer for each step.
     integration(flow_state start, std::shared_ptr<step_rule> rule, ball farthest, long bits, march_watch watch = {},
                 step_observer observer = {});
 
@@ -70,7 +70,7 @@ private:
     stop why_ = stop::none;
     ball reached_;
     long cost_ = 0;
-    long watched_ = 0;  // the cost when the watch was called last
+    long watched_ = 0;  // the cost at the last call of watch_
     collocation_use collocation_;
     bool in_collocation_ = false;
 };
@@ -83,7 +83,7 @@ struct step_at {
     ball distance_before = {};
 };
 
-/// The steps that contain the times of a ball, looked for from step k on, which becomes the one in which it ends;
+/// The steps that contain the times of a ball, searched from step k on, which becomes the one in which it ends;
 /// std::nullopt if the proof ends before. Throws precision_exhausted for a ball that begins before both.
 std::optional<step_at> steps_about(step_sequence& along, std::size_t& k, const ball& target);
 

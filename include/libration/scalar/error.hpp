@@ -27,7 +27,7 @@ constexpr bool is_undefined(error_kind kind) {
     return false;
 }
 
-/// The subjects by which errors are told apart. Each has a name (name_of); any other subject is a text.
+/// The subjects that distinguish errors. Each has a name (name_of); any other subject is a text.
 enum class error_subject {
     other,
     along,     ///< the parameter of a branch and its values

@@ -9,15 +9,15 @@
 
 namespace libration {
 
-/// A combination of options that a command refuses, with the reason as a predicate and what to write instead.
+/// A combination of options that a command rejects, with the reason as a predicate and what to write instead.
 struct option_rule {
-    /// The options, separated by blanks, each of which is refused if it is given; empty if something is missing.
+    /// The options, separated by blanks, each of which is rejected if it is given; empty if something is missing.
     const char* options;
     /// When: terms, separated by blanks, all of which hold. `--out` is given; `--times=inf|0` has one of these values,
     /// `--scalar=ball:*` one that begins so; `--gap|--energy` means one of them, and `!` the contrary of a term. A term
     /// without dashes is a positional argument that is given, or a property of the arguments, which the command decides.
     const char* when;
-    const char* reason;  ///< {} stands for the value of the first option of `when`
+    const char* reason;  ///< {} is replaced by the value of the first option of `when`
     const char* remedy = "leave it out";
 };
 

@@ -59,7 +59,7 @@ std::vector<fs::path> figures_in(const std::string& folder) {
     return found;
 }
 
-// The names of its tables, as a script asks which of them exist.
+// The names of its tables, by which a script finds out which of them exist.
 std::string tables_in(const std::string& folder) {
     std::string names;
     for (const auto& entry : fs::directory_iterator(folder)) {

@@ -24,8 +24,8 @@ constexpr std::string_view keywords =
     " switch template this thread_local throw true try typedef typeid typename union unsigned using virtual void"
     " volatile wchar_t while xor xor_eq boost SC_ ";
 
-// A format of rows: its texts, in which {name}, {rows}, {columns}, {names}, {members} and {cells} stand for those of the
-// table, and {} for a single cell or meaning.
+// A format of rows: its texts, in which {name}, {rows}, {columns}, {names}, {members} and {cells} are replaced by those of
+// the table, and {} by a single cell or meaning.
 struct row_format {
     std::string_view format, comment, head;
     std::string_view member = {}, note = {};

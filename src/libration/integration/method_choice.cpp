@@ -46,7 +46,7 @@ void method_choice::require_integrator(bool with_derivative) const {
     }
 }
 
-// Theorem S begins from the initial values of the system alone; from another set the point is refused.
+// Theorem S begins from the initial values of the system alone. lifted() throws the error of a singular point.
 void method_choice::require_given_start(const flow_state& start) const {
     const auto given = start_of(of_, bits_.bits).set.hull();
     const auto found = start.set.hull();

@@ -12,9 +12,9 @@
 
 namespace libration::ode {
 
-/// Taylor series (theorem V) from a regular state; they give the length by which the others are judged. If the equations
-/// are stiff along the way, that is if the solution is smooth over many of these steps, collocation (theorem K) continues
-/// from the same set, until no mode is fast. Times with roots (root_time.hpp) are crossed by steps in a root of the
+/// Taylor series (theorem V) from a regular state; they give the length with which the others are compared. If the
+/// equations are stiff, that is if the solution is smooth over many of these steps, collocation (theorem K) continues from
+/// the same set, until no mode is fast. Times with roots (root_time.hpp) are crossed by steps in a root of the
 /// distance from them, in which the solution is analytic. A singular initial point is left by a step of theorem S.
 class method_choice : public step_rule {
 public:

@@ -33,7 +33,7 @@ void proved_march::aim(const number& farthest) {
 
 void proved_march::keep_derivative() {
     start_.derivative = unit_derivative(start_.set.centre.size());
-    rule_->begin(start_);  // which may refuse it
+    rule_->begin(start_);  // which may reject it
 }
 
 integration& proved_march::along() {

@@ -36,7 +36,7 @@ inline std::vector<std::size_t> ascending(const std::vector<number>& times, cons
     return order;
 }
 
-/// How much of the way from the initial point to the farthest time an integration has gone.
+/// The fraction of the interval from the initial point to the farthest time that an integration has covered.
 inline double part_of_way(const number& point, const ball& reached, const number& farthest) {
     const precision_scope scope(20);
     const mpfr whole = abs(constant_value<mpfr>::of(farthest - point));

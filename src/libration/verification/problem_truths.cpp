@@ -96,7 +96,7 @@ problem_truths::march_pair& problem_truths::marches(long digits) {
     return *made;
 }
 
-// A proved integration that goes on from one time to the next, from the start with more bits where they are too few.
+// A proved integration that continues from one time to the next, and from the start if it needs more bits.
 struct problem_truths::proved_way {
     const explicit_system& system;
     run_bits bits;

@@ -21,7 +21,7 @@ constexpr std::size_t most_collocation_unknowns = 250;
 constexpr std::size_t most_unknowns_with_derivative = 40;
 constexpr long most_collocation_bits = 1024;
 constexpr long most_bits_of_frames_in_double = 400;
-// The number of steps in which their length may grow until they are worth their cost.
+// The number of steps in which their length may grow until they pay off.
 constexpr long steps_to_grow = 6;
 constexpr int steps_without_fast_modes = 3;
 // Collocation loses fewer bits than Taylor series, for which the guard bits of a run are chosen. With all bits of the run,

@@ -1,4 +1,4 @@
-// Steps of theorem K, and where they are worth their cost.
+// Steps of theorem K, and where they pay off.
 #pragma once
 
 #include <memory>
@@ -14,9 +14,9 @@
 
 namespace libration::ode {
 
-/// The steps of theorem K in place of those of theorem V, and the choice when they begin and end, on which no proof
+/// The steps of theorem K instead of those of theorem V, and the choice when they begin and end, on which no proof
 /// depends. Collocation begins where the solution is smooth over many steps of Taylor series
-/// (collocation_integrator::is_smooth_over), which is checked after so many of them that a trial in vain at most doubles
+/// (collocation_integrator::is_smooth_over), which is checked after so many steps that a trial in vain at most doubles
 /// the time, and ends when no mode has been fast for some steps, or when its steps are not much longer than those of
 /// Taylor series.
 ///
@@ -38,7 +38,7 @@ public:
     /// The first step of a period, after steps of this cost, where the next one by Taylor series has this length; the
     /// rest of the way is `rest`, with the sign of the direction. Null if it should not be tried, the solution is not
     /// smooth enough, or no step is proved. With the derivative of the flow if it is kept, whose fast columns begin with
-    /// a layer of their own.
+    /// a separate layer.
     std::shared_ptr<const step> first(long cost, const flow_state& from, const magnitude& length, const ball& rest);
     /// Whether the state is the end of the last step of a period.
     bool made(const flow_state& from) const { return from.more != nullptr && from.more == period_; }
@@ -75,13 +75,13 @@ private:
     std::optional<polynomial_form> varied_;        // the form with variations, if they are
     std::shared_ptr<const decay_coordinates> coordinates_;
     std::vector<double> largest_;            // log2 of the given unknowns, of their largest values in this period
-    std::vector<std::size_t> decaying_;      // the unknowns for which coordinates were last looked for
+    std::vector<std::size_t> decaying_;      // the unknowns for which coordinates were last searched
     std::shared_ptr<const carried> period_;  // of the present period; null between two
     std::optional<ball_matrix> derivative_;  // at the beginning of the period
     bool has_set_ = true;                    // whether the set of the given unknowns at its last end is not a box
     bool pays_ = true;                       // whether the last step was worth its cost
     long steps_of_period_ = 0;
-    magnitude length_to_pay_;               // of a step that is worth its cost
+    magnitude length_to_pay_;               // of a step that pays off
     long between_checks_, next_check_ = 0;  // in steps
 };
 

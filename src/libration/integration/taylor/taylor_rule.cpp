@@ -20,7 +20,7 @@ constexpr long bits_below_truncation = 40;
 constexpr double worth_more_terms = 0.3;
 // The bits of the error map that its largest terms may lose before its precision is increased.
 constexpr double bits_to_lose = 16;
-// log2 of the uncertainty of the error map from which on it is worth shorter steps, of the factor by which it may grow
+// log2 of the uncertainty of the error map from which on shorter steps pay off, of the factor by which it may grow
 // more than the length of the step, and how often that is halved.
 constexpr double significant_uncertainty = -12;
 constexpr double excess_growth = 0.3;
