@@ -70,7 +70,7 @@ target_compile_definitions(libration PUBLIC LIBRATION_COMPILED)
 # with sanitizers, which double the memory, one directory.
 set(units
     "scalar|scalar/ball|digits|function|number"
-    "algebra|elliptic|convergence|pendulum"
+    "algebra|elliptic|approximant|convergence|pendulum"
     "equation|equation/text"
     "expansion|expansion/batch|integration|integration/(taylor|model|root|singular|closed_form|delay)|event"
     "integration/collocation"

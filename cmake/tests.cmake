@@ -20,7 +20,8 @@ target_link_libraries(libration-tests PRIVATE libration-c)
 target_link_libraries(libration-tests PRIVATE ZLIB::ZLIB)
 target_compile_definitions(libration-tests PRIVATE
     LIBRATION_SYMBOLS="${c_symbols}"
-    LIBRATION_CHECKER="${PROJECT_SOURCE_DIR}/check/libration_check.py")
+    LIBRATION_CHECKER="${PROJECT_SOURCE_DIR}/check/libration_check.py"
+    LIBRATION_LISTS="${PROJECT_SOURCE_DIR}/problems/series/")
 # Calls it while memory allocation fails, by replacing the allocator.
 if(NOT LIBRATION_SANITIZE)
     add_executable(libration-failing-memory

@@ -336,7 +336,7 @@ TEST_CASE("a crooked house is noticed", "[house]") {
     const std::string scalar = "include/libration/scalar/quad.hpp",
                       series = "include/libration/series/power_series.hpp",
                       approximant = "include/libration/approximant/pade.hpp",
-                      convergence = "include/libration/convergence/radius_verdict.hpp",
+                      convergence = "include/libration/convergence/radius_report.hpp",
                       elliptic = "include/libration/elliptic/jacobi.hpp",
                       pendulum = "include/libration/pendulum/period.hpp", sweep = "src/command/sweep/study.hpp",
                       problem = "include/libration/problem/problem_family.hpp",

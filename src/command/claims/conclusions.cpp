@@ -4,7 +4,7 @@
 
 #include "claims/claim.hpp"
 #include "claims/sampled_arc.hpp"
-#include "libration/convergence/radius_report.hpp"
+#include "libration/convergence/radius_answers.hpp"
 #include "libration/equation/text/parse.hpp"
 #include "libration/integration/taylor/taylor_march.hpp"
 #include "libration/pendulum/expansion.hpp"
@@ -223,8 +223,7 @@ mpfr deduced_radius(const motion& m, const rational& x) {
     const phase<mpfr> at = phase_of(point, solution);
     const mpfr tstar = effective_period(energy_level_of<mpfr>(m));
     const auto a = taylor_coefficients(start_at(solution, at), 60, tstar);
-    const auto report = report_on_radius(a, mpfr(pow(mpfr(10), -40)));
-    return *report.verdict.radius * tstar;
+    return *verdict_in(a).radius * tstar;
 }
 
 claim expansion_point_deduced() {

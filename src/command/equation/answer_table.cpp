@@ -14,6 +14,7 @@ cell cell_of(const answer_value& value) {
     switch (value.kind) {
         case value_kind::number: return number_cell(value.text);
         case value_kind::whole_number: return cell(integer(value.text));
+        case value_kind::list: return cell::list(value.text);
         case value_kind::text: break;
     }
     return cell(value.text);

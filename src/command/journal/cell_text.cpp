@@ -24,6 +24,7 @@ cell next_cell(counted_text& rest) {
         case cell_kind::empty: return {};
         case cell_kind::text: return {rest.string()};
         case cell_kind::whole: return {integer(rest.string())};
+        case cell_kind::list: return cell::list(rest.string());
         case cell_kind::number: {
             const long digits = rest.number();
             return cell::number(rest.string(), digits);
