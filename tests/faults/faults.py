@@ -74,7 +74,7 @@ FAULTS = [
          "of.way = 0;\n            of.steps = 0;"),
     ),
     *in_file(
-        "src/libration/expansion/batch/batch_expansion.cpp", ["integration/taylor/batch_march_test.cpp"],
+        "src/libration/expansion/batch_expansion.cpp", ["integration/taylor/batch_march_test.cpp"],
         ("a parameter on the left multiplied as a series", "step.kind == operation::product && is_fixed(step.left)",
          "step.kind == operation::product && false"),
         ("sinc of the lane before", "arrays_.array(from)[k][lane]", "arrays_.array(from)[k][lane / 2]"),
@@ -416,13 +416,13 @@ FAULTS = [
         ("a slope near the edge bounded by its first term", "        throw precision_exhausted(\"a derivative near", "        precision_exhausted(\"a derivative near"),
     ),
     *in_file(
-        "include/libration/integration/closed_form/constant_solution.hpp", [BOUNDS],
+        "src/libration/integration/closed_form/constant_solution.hpp", [BOUNDS],
         ("a constant solution whatever its right-hand sides", "if (!zero) {", "if (false) {"),
         ("a constant solution whatever its slopes", "std::all_of(values.begin() + 1, values.end(), is_zero)", "true"),
         sources=["src/libration/plane/proved_singularity.cpp"],
     ),
     *in_file(
-        "include/libration/integration/closed_form/constant_solution.hpp", [DOMAINS],
+        "src/libration/integration/closed_form/constant_solution.hpp", [DOMAINS],
         ("a constant solution beyond its domain", "zero->empty() ? result : constancy::as_defined", "result"),
         sources=["src/libration/query/states.cpp"],
     ),

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "libration/number/written_number.hpp"
-#include "motion/motion_cells.hpp"
+#include "problem/motion_cells.hpp"
 #include "table/elliptic_request.hpp"
 #include "text/csv_records.hpp"
 #include "text/input_error.hpp"

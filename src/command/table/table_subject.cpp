@@ -1,8 +1,8 @@
 // The subjects of tables: motions, elliptic functions, and problems.
 #include <utility>
 
-#include "equation/problem_trajectory.hpp"
-#include "equation/swept_problem.hpp"
+#include "problem/problem_trajectory.hpp"
+#include "problem/swept_problem.hpp"
 #include "table/elliptic_request.hpp"
 #include "table/function_table.hpp"
 #include "table/problem_table.hpp"

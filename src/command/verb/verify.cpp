@@ -8,10 +8,10 @@
 #include <iterator>
 #include <memory>
 
-#include "equation/problem_options.hpp"
-#include "motion/motion_options.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
+#include "problem/motion_options.hpp"
+#include "problem/problem_options.hpp"
 #include "run/ending_signal.hpp"
 #include "run/parallel.hpp"
 #include "sweep/study_order.hpp"

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "../expansion/set_values.hpp"
+#include "../integration/closed_form/constant_solution.hpp"
+#include "../integration/closed_form/linear_flow.hpp"
 #include "libration/digits/precision_loop.hpp"
-#include "libration/integration/closed_form/constant_solution.hpp"
-#include "libration/integration/closed_form/linear_flow.hpp"
 #include "libration/query/states.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/printed_number.hpp"
