@@ -15,7 +15,7 @@ namespace libration {
 namespace {
 
 constexpr const char* set_remedy = "write values such as k=1/3, k=1,2,5 or k=0:1:11";
-constexpr const char* times_remedy = "write times such as 0,1.5,sqrt(2) or a range 0:20:201";
+constexpr const char* set_times_remedy = "write times such as 0,1.5,sqrt(2) or a range 0:20:201";
 
 // Not allowed in an equation: multiples of the period of a motion.
 void require_no_period(const exact& value) {
@@ -69,7 +69,7 @@ problem_family axes_of(const swept_problem& of) {
                            .option = "--times",
                            .help = "",
                            .form = axis_form::numbers,
-                           .remedy = times_remedy,
+                           .remedy = set_times_remedy,
                            .check = require_time,
                            .coordinate = "time"});
     result.axes.push_back({.name = "unknown",
