@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "libration/digits/precision_loop.hpp"
 #include "libration/equation/constant_value.hpp"
 #include "libration/equation/explicit_system.hpp"
 #include "libration/integration/integration.hpp"

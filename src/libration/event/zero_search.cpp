@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "libration/integration/rule_for.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/proved.hpp"

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "libration/equation/constant_value.hpp"
+#include "libration/integration/rule_for.hpp"
 #include "libration/scalar/ball/failure.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 

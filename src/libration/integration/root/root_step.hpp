@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "../taylor/series_step.hpp"
+#include "libration/digits/precision_loop.hpp"
 #include "libration/equation/first_order_form.hpp"
 #include "libration/integration/rule.hpp"
 #include "root_time.hpp"

@@ -1,52 +1,20 @@
-#include "libration/query/krawczyk.hpp"
+#include "libration/algebra/krawczyk.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "libration/digits/precision_loop.hpp"
-#include "libration/integration/lohner_set.hpp"
 #include "libration/scalar/ball/decimal.hpp"
 #include "libration/scalar/ball/functions.hpp"
+#include "libration/scalar/ball/magnitude.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"
 
-#if __has_include(<flint/arb_mat.h>)
-#include <flint/arb_mat.h>
-#else
-#include <arb_mat.h>
-#endif
-
 namespace libration::ode {
-
-std::optional<ball_matrix> inverse_near(const ball_matrix& a) {
-    const auto size = static_cast<slong>(a.size());
-    arb_mat_t from;
-    arb_mat_t to;
-    arb_mat_init(from, size, size);
-    arb_mat_init(to, size, size);
-    for (slong i = 0; i < size; ++i) {
-        for (slong j = 0; j < size; ++j) {
-            const ball& entry = a[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-            arf_set(arb_midref(arb_mat_entry(from, i, j)), arb_midref(entry.handle()));
-        }
-    }
-    const bool regular = arb_mat_inv(to, from, ball::working_bits()) != 0;
-    ball_matrix result(a.size());
-    for (slong i = 0; i < size && regular; ++i) {
-        for (slong j = 0; j < size; ++j) {
-            ball entry;
-            arf_set(arb_midref(entry.handle()), arb_midref(arb_mat_entry(to, i, j)));
-            result[static_cast<std::size_t>(i)].push_back(entry);
-        }
-    }
-    arb_mat_clear(from);
-    arb_mat_clear(to);
-    return regular ? std::optional(result) : std::nullopt;
-}
 
 namespace {
 
-constexpr long first_root_bits = 160;
 constexpr int most_root_steps = 60;
 constexpr int most_boxes = 6;
 constexpr int most_proofs = 12;
@@ -82,17 +50,15 @@ enum class zero_values {
 
 class root_search {
 public:
-    root_search(const map_of_unknowns& f, const std::vector<number>& guess, long digits,
+    root_search(const map_of_unknowns& f, const std::vector<ball>& guess, long digits,
                 const std::vector<std::string>& names, zero_values zeros)
         : f_(f), digits_(digits), names_(names), zeros_(zeros) {
-        const precision_scope scope(decimal_digits(first_root_bits));
-        for (const number& each : guess) {
-            x_.push_back(exact_midpoint(constant_value<ball>::of(each)));
-        }
+        const precision_scope scope(decimal_digits(bits_of_first_iterate));
+        std::ranges::transform(guess, std::back_inserter(x_), exact_midpoint);
     }
 
     std::vector<known_value> result() {
-        long reached = first_root_bits;
+        long reached = bits_of_first_iterate;
         settle(reached);
         int proofs = 0;
         int failed = 0;
@@ -110,7 +76,7 @@ public:
                 }
                 root ? print(*root, values, demand) : demand.more_bits(run.bits + run.bits / 2, "");
             },
-            {.bits = std::max(first_root_bits, bits_of_first_run(digits_))});
+            {.bits = std::max(bits_of_first_iterate, bits_of_first_run(digits_))});
         if (missing) {
             throw error(*missing);
         }
@@ -165,7 +131,7 @@ private:
     // Performs one step; returns its length relative to x.
     magnitude improve(long bits) {
         const precision_scope scope(decimal_digits(bits));
-        const long error_bits = std::max(proved_march::usual_error_bits, bits / 2 + 48);
+        const long error_bits = std::max(run_bits::usual_error_bits, bits / 2 + 48);
         const enclosed_map map = at(x_, bits, error_bits);
         const auto inverse = inverse_near(map.derivative);
         if (!inverse) {
@@ -187,7 +153,7 @@ private:
     // The proved solution, by Krawczyk's test.
     std::optional<std::vector<ball>> proved(long bits) {
         const precision_scope scope(decimal_digits(bits));
-        const enclosed_map here = at(x_, bits, proved_march::usual_error_bits);
+        const enclosed_map here = at(x_, bits, run_bits::usual_error_bits);
         const auto inverse = inverse_near(here.derivative);
         if (!inverse) {
             refuse_guess("is not isolated: the derivative of the conditions is singular");
@@ -215,7 +181,7 @@ private:
         for (std::size_t i = 0; i < x_.size(); ++i) {
             box.push_back(widened(x_[i], radii[i]));
         }
-        const auto over_box = f_(box, 2 * proved_march::usual_error_bits, proved_march::usual_error_bits);
+        const auto over_box = f_(box, 2 * run_bits::usual_error_bits, run_bits::usual_error_bits);
         if (!over_box) {
             return std::nullopt;
         }
@@ -257,7 +223,7 @@ private:
 
 }  // namespace
 
-std::vector<proved_decimal> proved_root(const map_of_unknowns& f, const std::vector<number>& guess, long digits,
+std::vector<proved_decimal> proved_root(const map_of_unknowns& f, const std::vector<ball>& guess, long digits,
                                         const std::vector<std::string>& names) {
     std::vector<proved_decimal> decimals;
     for (const known_value& each : root_search(f, guess, digits, names, zero_values::undecided).result()) {
@@ -266,7 +232,7 @@ std::vector<proved_decimal> proved_root(const map_of_unknowns& f, const std::vec
     return decimals;
 }
 
-std::vector<known_value> proved_part_of_root(const map_of_unknowns& f, const std::vector<number>& guess, long digits,
+std::vector<known_value> proved_part_of_root(const map_of_unknowns& f, const std::vector<ball>& guess, long digits,
                                              const std::vector<std::string>& names) {
     return root_search(f, guess, digits, names, zero_values::bounded).result();
 }
