@@ -111,6 +111,9 @@ public:
     std::optional<proved_event> next(crossing way, const std::optional<number>& end,
                                      const std::optional<long>& horizon = std::nullopt);
 
+    /// Where the tangent of g at the beginning of the step that is searched next is 0, as a distance of time from there;
+    /// infinite if g moves away from 0 or that step is not made. An estimate, on which no proof depends.
+    double distance_by_tangent() const;
     /// The beginning of the step that is searched, or the time up to which the solution is proved to exist.
     const ball& reached() const { return time_; }
     /// The number of that step, and the steps up to there, of which one of collocation counts as several.
@@ -147,6 +150,7 @@ private:
     ball of_state(const expression& e, const ball& distance) const { return values_at(distance).of(e); }
     ball slope_at(const ball& distance, expression_values<ball>& values) const;
     int sign_at(const ball& distance) const;
+    crossing way_of_next() const;
     bool covers_beginning(const step_piece& p) const;
     bool is_start(const step_piece& p) const { return start_.order > 0 && number_ == 0 && p.at_0(); }
     void leave_step();
@@ -175,6 +179,7 @@ private:
     start_sign start_;
     std::optional<ball> after_;           // the end of the ball in which a search from a set begins
     int sign_ = 1;                        // of g when it was last certain
+    crossing way_ = crossing::any;        // of the zeros that are enclosed
     bool open_ = false;                   // g has been monotone towards 0 since then
     std::vector<proved_event> parts_;     // and the possible locations of its zero on these pieces
     std::vector<step_piece> pieces_;      // of the current step, the next one last

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "../algebra/dense_matrix.hpp"
 #include "libration/integration/rule_for.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"
@@ -185,6 +186,23 @@ std::optional<proved_event> zero_search::at_start() const {
     return event;
 }
 
+// The direction of t in which g crosses 0 next.
+crossing zero_search::way_of_next() const { return sign_ * direction_ < 0 ? crossing::up : crossing::down; }
+
+double zero_search::distance_by_tangent() const {
+    const precision_scope few(few_digits);
+    const step* const next = along_[number_];
+    if (next == nullptr) {
+        return std::numeric_limits<double>::infinity();
+    }
+    expression_values<ball> values(form_.leaves, next->from().time);
+    for (const ball& each : next->shared_values(ball(0))) {
+        values.push_back(each);
+    }
+    const double distance = -as_double(values.of(g_) / values.of(slope_)) * direction_;
+    return distance > 0 ? distance : std::numeric_limits<double>::infinity();
+}
+
 // Whether a piece from the initial point contains the whole ball in which a search from a set begins.
 bool zero_search::covers_beginning(const step_piece& p) const {
     return !after_ || !exactly_less(lower_bound(time_ + p.to), *after_);
@@ -339,7 +357,9 @@ std::optional<proved_event> zero_search::passed(const step_piece& p, int slope) 
     if (behind == sign_) {
         return with_sign(behind);
     }
-    add_part(p);
+    if (way_ == crossing::any || way_ == way_of_next()) {
+        add_part(p);
+    }
     open_ = true;
     return behind == 0 ? std::nullopt : joined();
 }
@@ -386,8 +406,13 @@ bool zero_search::narrowed_by_signs(step_piece& p) const {
     return cut(last) || before;
 }
 
-// The only zero of the joined pieces.
+// The only zero of the joined pieces, unless it is crossed in the other direction than those that are enclosed.
 std::optional<proved_event> zero_search::joined() {
+    if (way_ != crossing::any && way_ != way_of_next()) {
+        sign_ = -sign_;
+        open_ = false;
+        return std::nullopt;
+    }
     if (parts_.empty()) {
         throw std::logic_error("a zero that is on none of its pieces");
     }
@@ -403,8 +428,8 @@ std::optional<proved_event> zero_search::joined() {
             }
         }
     }
+    event.way = way_of_next();
     sign_ = -sign_;
-    event.way = sign_ * direction_ > 0 ? crossing::up : crossing::down;
     parts_.clear();
     open_ = false;
     return event;
@@ -472,6 +497,7 @@ std::optional<proved_event> zero_search::next(crossing way, const std::optional<
                            : end   ? std::numeric_limits<long>::max()
                                    : steps_ + usual_horizon;
     end_ = search_end::none;
+    way_ = way;
     for (step_piece& each : pieces_) {  // of a search with an earlier end
         each.beyond = each.beyond && last && known_sign((*last - time_) * direction_ - each.from) <= 0;
     }
@@ -493,7 +519,7 @@ std::optional<proved_event> zero_search::next(crossing way, const std::optional<
             step_piece next = std::move(pieces_.back());
             pieces_.pop_back();
             auto event = examined(std::move(next));
-            if (!event || (way != crossing::any && way != event->way)) {
+            if (!event) {
                 continue;
             }
             if (!is_beyond(event->time)) {
