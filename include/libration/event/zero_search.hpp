@@ -9,6 +9,7 @@
 #include "libration/expansion/start_sign.hpp"
 #include "libration/expansion/step_pieces.hpp"
 #include "libration/integration/integration.hpp"
+#include "libration/integration/kept_integrations.hpp"
 
 namespace libration::ode {
 
@@ -83,6 +84,9 @@ public:
     /// error like sign_at_start, and for a singular initial point if g may be 0 there, or backwards.
     zero_search(const explicit_system& system, const expression& g, long bits, int direction = 1,
                 const proof_route& route = {}, march_watch watch = {});
+    /// The same along kept steps of the system, of which at least so many bits are needed.
+    zero_search(const explicit_system& system, const expression& g, const kept_part& kept, long bits, int direction = 1,
+                const proof_route& route = {}, march_watch watch = {});
     /// The same in the direction of time (< 0: backwards) from a set of any width: an event is one of every solution, in
     /// the enclosures of its time and state.
     zero_search(const explicit_system& system, const expression& g, const set_start& start, long bits, int direction,
@@ -138,7 +142,7 @@ private:
         int sign;  // of g, or of its derivative
     };
 
-    zero_search(const explicit_system& system, const expression& g, std::unique_ptr<integration> own,
+    zero_search(const explicit_system& system, const expression& g, std::shared_ptr<integration> own,
                 step_sequence* along, long bits, int direction, march_watch watch);
     void begin_at(const number& point);
     void begin_at_singular(const flow_state& start);
@@ -171,7 +175,8 @@ private:
     expression g_, slope_;
     std::vector<expression> gradient_;     // the derivatives of g with respect to the leaves, and to the variable
     std::optional<expression> curvature_;  // computed on demand
-    std::unique_ptr<integration> own_;
+    kept_integrations* kept_ = nullptr;    // of which the integration is one
+    std::shared_ptr<integration> own_;
     step_sequence& along_;
     long bits_, digits_;
     int direction_;

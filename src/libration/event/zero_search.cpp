@@ -28,9 +28,9 @@ std::vector<expression> gradient_of(const first_order_form& form, const expressi
     return derivatives;
 }
 
-std::unique_ptr<integration> steps_from(flow_state start, const explicit_system& system, long bits, int direction,
+std::shared_ptr<integration> steps_from(flow_state start, const explicit_system& system, long bits, int direction,
                                         const proof_route& route, error_weights weights) {
-    return std::make_unique<integration>(std::move(start), rule_for(system, {bits}, route, weights),
+    return std::make_shared<integration>(std::move(start), rule_for(system, {bits}, route, weights),
                                          infinite_distance(direction), bits);
 }
 
@@ -45,7 +45,7 @@ flow_state state_at_start(const explicit_system& system, const set_start& start,
 }  // namespace
 
 // Along its own steps or others.
-zero_search::zero_search(const explicit_system& system, const expression& g, std::unique_ptr<integration> own,
+zero_search::zero_search(const explicit_system& system, const expression& g, std::shared_ptr<integration> own,
                          step_sequence* along, long bits, int direction, march_watch watch)
     : form_(system),
       g_(form_.in_leaves(g)),
@@ -66,6 +66,17 @@ zero_search::zero_search(const explicit_system& system, const expression& g, lon
                   bits, direction, std::move(watch)) {
     const precision_scope scope(digits_);
     system.singular() ? begin_at_singular(start_of(system, bits)) : begin_at(system.point());
+}
+
+zero_search::zero_search(const explicit_system& system, const expression& g, const kept_part& kept, long bits,
+                         int direction, const proof_route& route, march_watch watch)
+    : zero_search(system, g, kept.steps->along(kept.part, system, bits, direction, route), nullptr, bits, direction,
+                  std::move(watch)) {
+    kept_ = kept.steps;
+    bits_ = own_->bits();
+    digits_ = decimal_digits(bits_) + 10;
+    const precision_scope scope(digits_);
+    system.singular() ? begin_at_singular(own_->start()) : begin_at(system.point());
 }
 
 zero_search::zero_search(const explicit_system& system, const expression& g, const set_start& start, long bits,
@@ -440,7 +451,7 @@ void zero_search::leave_step() {
     steps_ += step_->cost();
     ++number_;
     step_ = nullptr;
-    if (own_) {
+    if (own_ && (kept_ == nullptr || !kept_->has_room_for(*own_))) {
         own_->forget_before(number_);
     }
     if (watch_) {
