@@ -272,7 +272,7 @@ int libration_solution_events(libration_solution *solution, const char *conditio
 int libration_solution_coefficients(libration_solution *solution, const char *point, const char *corners, long first,
                                     long last, long digits, int rigour, libration_table **coefficients);
 /* As libration_problem_certificate and libration_problem_event_certificate: the values are read from the steps; the
- * certificate has steps of its own. */
+ * certificate has other steps. */
 int libration_solution_certificate(libration_solution *solution, const char *times, long digits, const char *path,
                                    libration_watch watch, void *context, libration_table **states);
 int libration_solution_event_certificate(libration_solution *solution, const char *condition, long count, long digits,

@@ -107,7 +107,7 @@ class Solution:
     ) -> Row | Table:
         """The states at times that are fractions, or the first `count` events of a condition; and in the file `path` a
         certificate, from which check() proves them again, in integers. The values are read from the kept steps; the
-        certificate has steps of its own. Raises ValueError unless either times or a condition are given."""
+        certificate has other steps. Raises ValueError unless either times or a condition are given."""
         if (times is None) == (condition is None):
             raise ValueError("a certificate is of states or of events: give either times or a condition")
         if condition is not None:

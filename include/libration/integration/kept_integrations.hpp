@@ -20,17 +20,17 @@ class kept_integrations {
 public:
     /// The number of the whole system, unless it is its only part.
     static constexpr std::size_t whole = static_cast<std::size_t>(-1);
-    static constexpr std::size_t usual_room = std::size_t{1} << 26U;
+    static constexpr std::size_t usual_bytes = std::size_t{1} << 26U;
 
-    /// `room` in bytes, for the steps of each integration.
-    explicit kept_integrations(std::size_t room = usual_room) : room_(room) {}
+    /// At most so many bytes for the steps of each integration.
+    explicit kept_integrations(std::size_t most_bytes = usual_bytes) : most_bytes_(most_bytes) {}
 
     /// The integration of a part, with this system, in the direction of time (< 0: backwards), of at least so many bits: the
     /// one that is kept, if its first step is, or a new one instead of it. Throws error like rule_for().
     std::shared_ptr<integration> along(std::size_t part, const explicit_system& system, long bits, int direction,
                                        const proof_route& route);
-    /// Whether all steps of an integration stay: their estimated size is within the room.
-    bool has_room_for(const integration& along) const;
+    /// Whether all steps of an integration stay: their estimated size is at most `most_bytes`.
+    bool keeps(const integration& along) const;
     /// The steps that have been made.
     std::size_t made() const;
 
@@ -42,7 +42,7 @@ private:
         std::shared_ptr<integration> along;
     };
 
-    std::size_t room_;
+    std::size_t most_bytes_;
     std::vector<entry> entries_;
     std::size_t made_before_ = 0;  // by integrations that are no longer kept
 };

@@ -451,7 +451,7 @@ void zero_search::leave_step() {
     steps_ += step_->cost();
     ++number_;
     step_ = nullptr;
-    if (own_ && (kept_ == nullptr || !kept_->has_room_for(*own_))) {
+    if (own_ && (kept_ == nullptr || !kept_->keeps(*own_))) {
         own_->forget_before(number_);
     }
     if (watch_) {

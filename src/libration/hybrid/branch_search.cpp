@@ -130,7 +130,7 @@ void branch_search::read_end(watched& each, bool has_end, long horizon) {
     }
 }
 
-// The surfaces whose searches go on, those first whose tangents at the beginning of the next step are 0 first: the end of
+// The surfaces whose searches continue, those first whose tangents at the beginning of the next step are 0 first: the end of
 // the other searches is then early.
 std::vector<branch_search::watched*> branch_search::in_order(const std::optional<number>& end) {
     std::vector<std::pair<double, watched*>> open;
@@ -156,7 +156,7 @@ std::vector<branch_search::watched*> branch_search::in_order(const std::optional
     return order;
 }
 
-// False if the search may go on.
+// False if the search may continue.
 bool branch_search::advance(watched& each, const std::optional<number>& end, long horizon) {
     auto event = each.search->next(each.of.way, end, steps_in_turn);
     if (!event) {

@@ -35,7 +35,7 @@ std::shared_ptr<integration> kept_integrations::along(std::size_t part, const ex
 }
 
 // The arrays of a step: the coefficients of the unknowns, and those of the derivative by the initial state with fewer bits.
-bool kept_integrations::has_room_for(const integration& along) const {
+bool kept_integrations::keeps(const integration& along) const {
     const step* const last = along.last_step();
     if (last == nullptr) {
         return true;
@@ -45,7 +45,7 @@ bool kept_integrations::has_room_for(const integration& along) const {
     const auto terms = static_cast<std::size_t>(last->made().order + 1);
     const auto bytes = static_cast<std::size_t>(last->made().bits) / 8 + bytes_beside;
     const std::size_t of_step = terms * (size * bytes + size * size * 2 * bytes_beside);
-    return (along.made() - along.first()) * of_step <= room_;
+    return (along.made() - along.first()) * of_step <= most_bytes_;
 }
 
 std::size_t kept_integrations::made() const {

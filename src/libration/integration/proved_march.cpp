@@ -90,7 +90,7 @@ std::optional<step_at> proved_march::place_of(const ball& target) {
             return steps_about(steps, now_, target);
         }
         steps_ += here->cost();
-        if (kept_ == nullptr || !kept_->has_room_for(steps)) {
+        if (kept_ == nullptr || !kept_->keeps(steps)) {
             steps.forget_before(now_);
         }
     }
