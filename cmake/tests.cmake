@@ -5,7 +5,7 @@ include(Catch)
 
 file(GLOB_RECURSE test_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/*_test.cpp)
 if(NOT LIBRATION_BUILD_COMMAND)
-    list(FILTER test_sources EXCLUDE REGEX "/tests/(text|run|option|journal|sweep|studies|command)/")
+    list(FILTER test_sources EXCLUDE REGEX "/tests/(text|run|option|sweep|studies|command|paper)/")
 endif()
 
 add_executable(libration-tests ${test_sources})

@@ -7,17 +7,17 @@
 #include <memory>
 #include <utility>
 
-#include "equation/answer_table.hpp"
 #include "libration/number/grid.hpp"
 #include "libration/problem/radius_answer.hpp"
-#include "list/coefficient_file.hpp"
-#include "list/list_audit.hpp"
-#include "motion/point_options.hpp"
-#include "motion/solution_options.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
 #include "plot/coefficient_plot.hpp"
 #include "plot/plot_options.hpp"
+#include "problem/answer_table.hpp"
+#include "problem/coefficient_file.hpp"
+#include "problem/list_audit.hpp"
+#include "problem/point_options.hpp"
+#include "problem/solution_options.hpp"
 #include "run/ending_signal.hpp"
 #include "run/parallel.hpp"
 #include "run/progress.hpp"

@@ -8,11 +8,11 @@
 #include <iterator>
 #include <memory>
 
-#include "equation/problem_options.hpp"
-#include "list/list_audit.hpp"
-#include "motion/motion_options.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
+#include "problem/list_audit.hpp"
+#include "problem/motion_options.hpp"
+#include "problem/problem_options.hpp"
 #include "run/ending_signal.hpp"
 #include "run/parallel.hpp"
 #include "sweep/study_order.hpp"
