@@ -10,8 +10,8 @@
 
 #include "libration/scalar/constants.hpp"
 #include "libration/scalar/convert.hpp"
-#include "libration/scalar/mpfr_traits.hpp"
 #include "libration/scalar/mpfr.hpp"
+#include "libration/scalar/mpfr_traits.hpp"
 
 namespace libration::tests {
 
@@ -200,15 +200,16 @@ inline known_value entire(value_draw& draw, int order) {
     const bool bessel = draw.between(0, 1) == 0;
     for (int n = 1; n <= order; ++n) {
         const auto before = static_cast<std::size_t>(n - 2);
-        wave.push_back(n % 2 == 1 ? mpfr(0) : bessel ? mpfr(-wave[before] * c * c / (n * n))
-                                                     : mpfr(-wave[before] * c * c / (n * (n - 1))));
+        wave.push_back(n % 2 == 1 ? mpfr(0)
+                       : bessel   ? mpfr(-wave[before] * c * c / (n * n))
+                                  : mpfr(-wave[before] * c * c / (n * (n - 1))));
     }
     mpfr value = cos(mpfr(c * x));
     if (bessel) {
         mpfr_j0(handle(value), handle(mpfr(c * x)), MPFR_RNDN);
     }
-    return {"entire", bessel ? "Bessel" : "cosine",
-            product_of(wave, exponential_of(polynomial({mpfr(0), b}, order))), x, mpfr(value * exp(mpfr(b * x)))};
+    return {"entire", bessel ? "Bessel" : "cosine", product_of(wave, exponential_of(polynomial({mpfr(0), b}, order))),
+            x, mpfr(value * exp(mpfr(b * x)))};
 }
 
 /// Functions that satisfy no linear equation with polynomial coefficients.
@@ -245,7 +246,8 @@ inline known_value two_points(value_draw& draw, int order) {
     const mpfr q = draw.thousandths(500, 3000);
     const mpfr mu = draw.thousandths(-1500, 1500);
     const mpfr nu = draw.thousandths(-1500, 1500);
-    const mpfr x = draw.between(0, 1) == 0 ? mpfr(p * draw.thousandths(200, 950)) : mpfr(-q * draw.thousandths(200, 950));
+    const mpfr x =
+        draw.between(0, 1) == 0 ? mpfr(p * draw.thousandths(200, 950)) : mpfr(-q * draw.thousandths(200, 950));
     const auto left = power_of(polynomial({mpfr(1), mpfr(-1 / p)}, order), mu);
     const auto right = power_of(polynomial({mpfr(1), mpfr(1 / q)}, order), nu);
     return {"hard", "two points", product_of(left, right), x,

@@ -2,7 +2,7 @@
 //     Euler's    x = R w/(1-w),       f analytic in the half-plane Re x > -R/2: |w| < 1,
 //     cut        x = 4 R w/(1-w)^2,   f analytic except on the ray from -R to -infinity: |w| < 1,
 // for x R > 0. Each coefficient depends on those up to the same power only, so that the partial sums of shorter lists are
-// partial sums of the same series [SeznecZinnJustin1979].
+// partial sums of the same series [LeGuillouZinnJustin1980].
 #pragma once
 
 #include <span>

@@ -202,7 +202,8 @@ table_row_cells verdict_row(const list_request& request, std::size_t i, const se
         methods += (methods.empty() ? "" : " ") + name;
     }
     row[8] = methods;
-    row[9] = found.note.empty() ? "heuristic" : "heuristic: " + found.note;
+    const bool known = sign_of_exact(time) == 0;  // the first coefficient
+    row[9] = known ? found.note : found.note.empty() ? "heuristic" : "heuristic: " + found.note;
     return row;
 }
 

@@ -13,7 +13,7 @@ namespace libration {
 namespace {
 
 constexpr int degree_of_step = 130;
-constexpr int most_steps = 150;
+constexpr int most_axis_steps = 150;
 constexpr int shortest_step = -12;  // exponent of 2, relative to the distance from 0
 constexpr long guard_bits = 184;
 
@@ -158,7 +158,7 @@ std::vector<std::optional<mpfr>> solution_along_axis(const differential_relation
     const int sign = targets.front() < 0 ? -1 : 1;
     mpfr t(0);
     std::size_t next = 0;
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < most_axis_steps; ++step) {
         const mpfr unit = mpfr(t == 0 ? mpfr(1) : mpfr(abs(t))) / 8;
         const auto h = step_length(f, unit);
         for (; next < targets.size() && (!h || abs(mpfr(targets[next] - t)) <= *h); ++next) {

@@ -14,14 +14,14 @@ namespace libration::convergence {
 
 namespace {
 
-constexpr int fewest_coefficients = 5;
-constexpr int few_coefficients = 12;
+constexpr int fewest_summed = 5;
+constexpr int few_summed = 12;
 constexpr int factor_of_step = 10;  // calibrated
 constexpr int contradiction = 12;   // steps of the blunter kind
 constexpr int much_blunter = 100;
 constexpr int one_digit = 10;
 
-long working_bits(int order) { return 320 + 6L * std::min(order, 160) + order; }
+long bits_of_sums(int order) { return 320 + 6L * std::min(order, 160) + order; }
 
 series_value no_value(std::string note) {
     series_value none;
@@ -97,7 +97,7 @@ bool by_equations(const std::vector<candidate>& all, const vote_result& vote) {
 std::optional<mpfr> uncertainty_of(const vote_result& vote, const std::vector<candidate>& kinds, bool exact,
                                    int order) {
     mpfr uncertainty = std::max(vote.spread, vote.step) * factor_of_step;
-    if (order < few_coefficients) {
+    if (order < few_summed) {
         uncertainty *= factor_of_step;
     }
     if (exact) {
@@ -152,7 +152,11 @@ class list_summation {
 public:
     list_summation(const series_list& list, std::span<const mpfr> noise, std::span<const mpfr> points,
                    const task_runner& run)
-        : list_(list), reduced_(list, noise, working_bits(list.order())), points_(points), values_(points.size()) {
+        : list_(list),
+          reduced_(list, noise, bits_of_sums(list.order())),
+          points_(points),
+          values_(points.size()),
+          run_(run) {
         noise_of_first_ = noise.empty() ? mpfr(0) : noise.front();
         if (reduced_.pattern().last >= 0 && !reduced_.pattern().polynomial) {
             verdict_ = verdict_on({reduced_.values(), list.noise}, run);
@@ -180,7 +184,7 @@ private:
     std::optional<series_value> without_methods(const mpfr& x) const {
         const coefficient_pattern& pattern = reduced_.pattern();
         if (x == 0) {
-            return certain({list_.values.front(), noise_of_first_}, "sum", "");
+            return certain({list_.values.front(), noise_of_first_}, "sum", "the first coefficient");
         }
         if (pattern.last < 0) {
             return no_value("all coefficients are 0");
@@ -195,7 +199,7 @@ private:
         if (pattern.lacunary) {
             return no_value("its gaps grow: a natural boundary is likely");
         }
-        if (reduced_.values().size() < fewest_coefficients) {
+        if (reduced_.values().size() < fewest_summed) {
             return no_value("there are too few coefficients");
         }
         return singular_on_the_way(x);
@@ -238,7 +242,7 @@ private:
             points.push_back(reduced_.point(points_[i]));
         }
         const sum_shape shape = shape_of(verdict_);
-        const sum_candidates candidates(reduced_, shape, points);
+        const sum_candidates candidates(reduced_, shape, points, run_);
         const int order = static_cast<int>(reduced_.values().size()) - 1;
         for (std::size_t k = 0; k < open.size(); ++k) {
             const bool inside = shape.inside && abs(points[k]) < *shape.inside;
@@ -274,15 +278,16 @@ private:
     std::vector<series_value> values_;
     mpfr noise_of_first_;
     list_verdict verdict_;
+    const task_runner& run_;
 };
 
 }  // namespace
 
-long digits_of_list(int order) { return decimal_digits(std::max(working_bits(order), bits_for(order))); }
+long digits_of_list(int order) { return decimal_digits(std::max(bits_of_sums(order), bits_for(order))); }
 
 std::vector<series_value> sums_of_list(const series_list& list, std::span<const mpfr> noise,
                                        std::span<const mpfr> points, const task_runner& run) {
-    const precision_scope scope(decimal_digits(working_bits(list.order())));
+    const precision_scope scope(decimal_digits(bits_of_sums(list.order())));
     return list_summation(list, noise, points, run).all();
 }
 

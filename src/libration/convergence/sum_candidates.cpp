@@ -34,16 +34,17 @@ std::vector<mpfr> perturbed_list(const reduced_list& list, unsigned seed) {
 
 }  // namespace
 
-sum_candidates::sum_candidates(const reduced_list& list, const sum_shape& shape, std::vector<mpfr> points)
+sum_candidates::sum_candidates(const reduced_list& list, const sum_shape& shape, std::vector<mpfr> points,
+                               const task_runner& run)
     : list_(list), points_(std::move(points)) {
     const int last = static_cast<int>(list.values().size()) - 1;
-    const summations all(list.values(), shape, points_);
+    const summations all(list.values(), shape, points_, run);
     for (int i = 0; i < lengths_compared; ++i) {
         by_length_.push_back(all.of_length(last - i));
     }
     if (!list.is_exact()) {
         for (const unsigned seed : {1U, 2U}) {
-            perturbed_.push_back(summations(perturbed_list(list, seed), shape, points_).of_length(last));
+            perturbed_.push_back(summations(perturbed_list(list, seed), shape, points_, run).of_length(last));
         }
     }
 }

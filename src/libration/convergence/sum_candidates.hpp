@@ -3,9 +3,9 @@
 
 #include <vector>
 
+#include "libration/convergence/sum_vote.hpp"
 #include "reduced_list.hpp"
 #include "summations.hpp"
-#include "libration/convergence/sum_vote.hpp"
 
 namespace libration::convergence {
 
@@ -19,7 +19,7 @@ struct candidate {
 class sum_candidates {
 public:
     /// Points sorted by modulus. At least five coefficients.
-    sum_candidates(const reduced_list& list, const sum_shape& shape, std::vector<mpfr> points);
+    sum_candidates(const reduced_list& list, const sum_shape& shape, std::vector<mpfr> points, const task_runner& run);
 
     /// By growing steps: the root mean square of the two changes, at least the error of a quadrature, 10^-51 of the
     /// value, and the change due to the noise of the coefficients. Methods without a value at one of the lengths are

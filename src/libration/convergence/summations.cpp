@@ -68,32 +68,8 @@ std::vector<std::optional<mpfr>> values_along_axis(const differential_relation& 
     return values;
 }
 
-// use(relation, its length, number of the track) for the equations of a_0 .. a_last. A list that is longer than a track
-// loses as many coefficients at its end as `last` leaves out.
-template <class Use>
-void for_each_equation(const std::vector<mpfr>& a, int last, const Use& use) {
-    constexpr std::array<differential_track, 13> tracks{{{1, 0, 0},
-                                                         {1, 1, 0},
-                                                         {1, 2, 0},
-                                                         {1, 3, 0},
-                                                         {1, 4, 0},
-                                                         {1, 5, 0},
-                                                         {2, 0, 0},
-                                                         {2, 1, 0},
-                                                         {2, 2, 0},
-                                                         {2, 3, 0},
-                                                         {2, 5, 0},
-                                                         {2, 0, 1},
-                                                         {2, 1, 1}}};
-    const int left_out = static_cast<int>(a.size()) - 1 - last;
-    const auto list = std::span(a).first(static_cast<std::size_t>(last) + 1);
-    for (std::size_t i = 0; i < tracks.size(); ++i) {
-        const int length = std::min(last, tracks[i].degree + most_unknowns - left_out);
-        if (const auto relation = relation_of(list, tracks[i], length, bits_for(last))) {
-            use(*relation, length, static_cast<int>(i));
-        }
-    }
-}
+constexpr std::array<differential_track, 8> summed_tracks{
+    {{1, 0, 0}, {1, 1, 0}, {1, 2, 0}, {1, 4, 0}, {2, 0, 0}, {2, 1, 0}, {2, 3, 0}, {2, 5, 0}}};
 
 }  // namespace
 
@@ -113,8 +89,8 @@ std::string name_of(sum_kind kind) {
     return "borel-cut";
 }
 
-summations::summations(std::vector<mpfr> a, sum_shape shape, std::vector<mpfr> points)
-    : a_(std::move(a)), shape_(std::move(shape)), points_(std::move(points)) {
+summations::summations(std::vector<mpfr> a, sum_shape shape, std::vector<mpfr> points, const task_runner& run)
+    : a_(std::move(a)), shape_(std::move(shape)), points_(std::move(points)), run_(run) {
     if (shape_.gevrey) {
         for (const rational& b : {rational(1), rational(3, 2), rational(2), rational(3)}) {
             const auto transform = borel_transform(a_, *shape_.gevrey, b);
@@ -183,13 +159,37 @@ void summations::add_maps(int last, std::vector<summation>& all) const {
 }
 
 void summations::add_differential(int last, std::vector<summation>& all) const {
-    for_each_equation(a_, last, [&](const differential_relation& relation, int length, int variant) {
-        summation& sum =
-            all.emplace_back(summation{relation.exact ? sum_kind::equation : sum_kind::differential, variant});
+    add_equations(a_, last, 0, all, [&](const differential_relation& relation, int length, summation& sum) {
+        sum.kind = relation.exact ? sum_kind::equation : sum_kind::differential;
         for (const auto& value : values_along_axis(relation, a_, length, points_)) {
             sum.add(value);
         }
     });
+}
+
+// sum_by(relation, its length, the summation to complete) for the equations of a_0 .. a_last. A list that is longer than
+// a track loses as many coefficients at its end as `last` leaves out.
+template <class SumBy>
+void summations::add_equations(const std::vector<mpfr>& a, int last, int variant, std::vector<summation>& all,
+                               const SumBy& sum_by) const {
+    const int left_out = static_cast<int>(a.size()) - 1 - last;
+    const auto list = first(a, last);
+    std::vector<std::optional<summation>> found(summed_tracks.size());
+    const long digits = working_digits();
+    run_(summed_tracks.size(), [&](std::size_t i) {
+        const precision_scope scope(digits);
+        const differential_track& track = summed_tracks[i];
+        const int length = std::min(last, track.degree + most_unknowns - left_out);
+        if (const auto relation = relation_of(list, track, length, bits_for(last))) {
+            found[i] = summation{sum_kind::differential, variant + static_cast<int>(i)};
+            sum_by(*relation, length, *found[i]);
+        }
+    });
+    for (auto& each : found) {
+        if (each) {
+            all.push_back(*std::move(each));
+        }
+    }
 }
 
 void summations::add_borel(int last, std::vector<summation>& all) const {
@@ -215,21 +215,20 @@ void summations::add_borel_differential(const borel_list& list, int variant, int
             targets.push_back(x / list.unit * at);
         }
     }
-    for_each_equation(list.transform, last, [&](const differential_relation& relation, int length, int track) {
-        const auto kind = relation.exact ? sum_kind::borel_equation : sum_kind::borel_differential;
-        summation& sum = all.emplace_back(summation{kind, variant + track});
+    const auto sum_by = [&](const differential_relation& relation, int length, summation& sum) {
+        sum.kind = relation.exact ? sum_kind::borel_equation : sum_kind::borel_differential;
         const auto values = values_along_axis(relation, list.transform, length, targets);
-        for (auto next = values.begin(); next != values.end(); next += static_cast<std::ptrdiff_t>(nodes.size())) {
-            auto value = next;
-            const bool defined = std::all_of(next, next + static_cast<std::ptrdiff_t>(nodes.size()),
-                                             [](const auto& each) { return each.has_value(); });
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            const auto here = std::span(values).subspan(i * nodes.size(), nodes.size());
             sum.values.emplace_back();
-            if (defined) {
-                const auto integral = list.rule.integral([&](const mpfr&) { return **value++; });
+            if (std::ranges::all_of(here, [](const auto& each) { return each.has_value(); })) {
+                auto next = here.begin();
+                const auto integral = list.rule.integral([&](const mpfr&) { return **next++; });
                 sum.values.back() = computed_sum{integral.value, integral.error};
             }
         }
-    });
+    };
+    add_equations(list.transform, last, variant, all, sum_by);
 }
 
 void summations::add_borel_pade(const borel_list& list, int variant, int last, std::vector<summation>& all) const {

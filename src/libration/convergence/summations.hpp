@@ -58,7 +58,7 @@ struct summation {
 /// The methods for a list with this shape at points of any sign, sorted by modulus.
 class summations {
 public:
-    summations(std::vector<mpfr> a, sum_shape shape, std::vector<mpfr> points);
+    summations(std::vector<mpfr> a, sum_shape shape, std::vector<mpfr> points, const task_runner& run);
 
     /// All methods from a_0 .. a_last, in the working precision.
     std::vector<summation> of_length(int last) const;
@@ -77,6 +77,9 @@ private:
     void add_partial_sums(int last, std::vector<summation>& all) const;
     void add_pade(int last, std::vector<summation>& all) const;
     void add_maps(int last, std::vector<summation>& all) const;
+    template <class SumBy>
+    void add_equations(const std::vector<mpfr>& a, int last, int variant, std::vector<summation>& all,
+                       const SumBy& sum_by) const;
     void add_differential(int last, std::vector<summation>& all) const;
     void add_borel(int last, std::vector<summation>& all) const;
     void add_borel_differential(const borel_list& list, int variant, int last, std::vector<summation>& all) const;
@@ -86,6 +89,7 @@ private:
     std::vector<mpfr> a_;
     sum_shape shape_;
     std::vector<mpfr> points_;
+    const task_runner& run_;
     std::vector<mpfr> in_euler_, in_cut_;
     std::vector<borel_list> borel_;
 };
