@@ -85,6 +85,8 @@ reference_values by_file(const std::string& path, const std::vector<exact>& time
     return values;
 }
 
+const char* const verdict_method = "verdict";
+
 std::vector<list_method> methods_of(const list_words& words) {
     const bool at_end = words.end.has_value();
     if (!words.method) {
@@ -99,7 +101,11 @@ std::vector<list_method> methods_of(const list_words& words) {
             return {method};
         }
     }
-    throw input_error("--method", *words.method, "is not a method for a list", "write series, pade or endpoint");
+    if (*words.method == verdict_method) {
+        return {};
+    }
+    throw input_error("--method", *words.method, "is not a method for a list",
+                      "write verdict, series, pade or endpoint");
 }
 
 }  // namespace
@@ -109,7 +115,14 @@ std::string name_of(list_method method) {
 }
 
 list_request list_request_of(const list_words& words, long digits) {
-    list_request request{coefficients_in_file(words.file), digits, {}, methods_of(words), {}, {}, {}};
+    list_request request{coefficients_in_file(words.file),
+                         digits,
+                         {},
+                         !words.method || *words.method == verdict_method,
+                         methods_of(words),
+                         {},
+                         {},
+                         {}};
     if (words.order) {
         const auto order = static_cast<std::size_t>(order_of("--order", *words.order));
         if (order >= request.coefficients.size()) {

@@ -9,6 +9,8 @@
 #include "libration/approximant/endpoint_approximant.hpp"
 #include "libration/convergence/coefficient_unit.hpp"
 #include "libration/convergence/radius_answers.hpp"
+#include "libration/convergence/sum.hpp"
+#include "libration/convergence/written_list.hpp"
 #include "libration/digits/agreed_values.hpp"
 #include "libration/problem/axis.hpp"
 #include "libration/problem/radius_answer.hpp"
@@ -23,6 +25,7 @@ using namespace convergence;
 namespace {
 
 constexpr int most_orders = 40;
+constexpr long uncertainty_digits = 3;
 
 // a_n u^n in the precision in force.
 power_series<mpfr> scaled_list(const list_request& request, int order, const mpfr& unit) {
@@ -126,6 +129,97 @@ std::vector<int> orders_up_to(int last) {
     return orders;
 }
 
+// N, and the orders without the last one and the last two coefficients that are not 0.
+std::vector<int> orders_compared(const list_request& request) {
+    std::vector<int> orders{request.order()};
+    for (int n = request.order(); n > 0 && orders.size() < 3; --n) {
+        if (!request.coefficients[static_cast<std::size_t>(n)].is_zero()) {
+            orders.push_back(n - 1);
+        }
+    }
+    return orders;
+}
+
+// floor(log10 |x|), x != 0.
+long exponent_of_ten(const mpfr& x) { return mpfr_get_si(handle(mpfr(log10(mpfr(abs(x))))), MPFR_RNDD); }
+
+mpfr unit_of_place(long exponent) { return pow(mpfr(10), static_cast<int>(exponent)); }
+
+// The largest distance of the first value from the others, at least a unit of its last digit.
+std::optional<mpfr> largest_change(const std::vector<std::optional<mpfr>>& values, long digits) {
+    if (values.size() < 2 || !values.front()) {
+        return std::nullopt;
+    }
+    const precision_scope scope(digits + 20);
+    const mpfr& value = *values.front();
+    mpfr largest = value == 0 ? mpfr(0) : unit_of_place(exponent_of_ten(value) - digits + 1);
+    for (const auto& other : values) {
+        if (!other) {
+            return std::nullopt;
+        }
+        largest = std::max(largest, mpfr(abs(mpfr(*other - value))));
+    }
+    return largest;
+}
+
+// The row of the verdict at one time. The last digit of the value is the last one above its uncertainty, to which the
+// rounding is added.
+table_row_cells verdict_row(const list_request& request, std::size_t i, const series_value& found) {
+    const exact& time = request.times[i];
+    table_row_cells row{number_cell(decimal_of(time, request.digits)),
+                        "verdict",
+                        request.order(),
+                        cell(),
+                        cell(),
+                        cell(),
+                        time.text,
+                        cell(),
+                        cell(),
+                        "heuristic: " + found.note};
+    if (!request.reference.empty()) {
+        row[4] = number_cell(decimal_of(request.reference[i], request.digits));
+    }
+    if (!found.value) {
+        row[9] = "no value: " + found.note;
+        return row;
+    }
+    const mpfr& value = *found.value;
+    long count = request.digits;
+    if (found.uncertainty > 0 && value != 0) {
+        count = std::min(count, exponent_of_ten(value) - exponent_of_ten(found.uncertainty));
+    }
+    count = std::max(count, 1L);
+    const std::string text = to_decimal(value, count);
+    row[3] = cell::number(text, count);
+    const mpfr rounding = abs(mpfr(mpfr(text) - value));
+    const mpfr uncertainty = (found.uncertainty + rounding) * 101 / 100;  // more than the rounding to three digits
+    row[7] = decimal_cell(uncertainty, uncertainty_digits);
+    if (!request.reference.empty()) {
+        row[5] = decimal_cell(mpfr(abs(mpfr(mpfr(text) - from_exact<mpfr>(request.reference[i])))), error_digits);
+    }
+    std::string methods;
+    for (const std::string& name : found.methods) {
+        methods += (methods.empty() ? "" : " ") + name;
+    }
+    row[8] = methods;
+    const bool known = sign_of_exact(time) == 0;  // the first coefficient
+    row[9] = known ? found.note : found.note.empty() ? "heuristic" : "heuristic: " + found.note;
+    return row;
+}
+
+void add_verdicts(const list_request& request, table& data) {
+    const precision_scope scope(std::max(digits_of_list(request.order()), request.digits + 20));
+    const written_list written = written_list_of(request.coefficients);
+    std::vector<mpfr> points;
+    for (const exact& time : request.times) {
+        points.push_back(from_exact<mpfr>(time));
+    }
+    const auto found = sums_of_list(written.list, written.rounding, points);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        data.add_row(verdict_row(request, i, found[i]));
+    }
+}
+
 }  // namespace
 
 table list_values(const list_request& request) {
@@ -135,18 +229,30 @@ table list_values(const list_request& request) {
                 {"value", ""},
                 {"reference", ""},
                 {"error", ""},
-                {"time_typed", ""}});
-    const auto values = values_of_list(request, {request.order()}, request.digits, false);
+                {"time_typed", ""},
+                {"uncertainty", ""},
+                {"methods", ""},
+                {"note", ""}});
+    if (request.verdict) {
+        add_verdicts(request, data);
+    }
+    const auto orders = orders_compared(request);
+    const auto values = values_of_list(request, orders, request.digits, false);
     const bool compared = !request.reference.empty();
     const auto errors =
         compared ? values_of_list(request, {request.order()}, error_digits, true) : std::vector<std::optional<mpfr>>{};
-    std::size_t k = 0;
-    for (const list_method method : request.methods) {
-        for (std::size_t i = 0; i < request.times.size(); ++i, ++k) {
-            data.add_row({number_cell(decimal_of(request.times[i], request.digits)), name_of(method), request.order(),
-                          decimal_cell(values[k], request.digits),
+    const std::size_t times = request.times.size();
+    for (std::size_t m = 0; m < request.methods.size(); ++m) {
+        for (std::size_t i = 0; i < times; ++i) {
+            std::vector<std::optional<mpfr>> by_order;
+            for (std::size_t o = 0; o < orders.size(); ++o) {
+                by_order.push_back(values[(m * orders.size() + o) * times + i]);
+            }
+            data.add_row({number_cell(decimal_of(request.times[i], request.digits)), name_of(request.methods[m]),
+                          request.order(), decimal_cell(by_order.front(), request.digits),
                           compared ? number_cell(decimal_of(request.reference[i], request.digits)) : cell(),
-                          compared ? decimal_cell(errors[k], error_digits) : cell(), request.times[i].text});
+                          compared ? decimal_cell(errors[m * times + i], error_digits) : cell(), request.times[i].text,
+                          decimal_cell(largest_change(by_order, request.digits), uncertainty_digits), cell(), cell()});
         }
     }
     return data;

@@ -1,5 +1,5 @@
-// libration series: evaluates the function defined by a list of coefficients: values by partial sums, Pade and endpoint
-// approximants, errors against a reference, poles and zeros, and the plots of its ratios and roots.
+// libration series: evaluates the function defined by a list of coefficients: the value with an uncertainty by the methods
+// that agree, values by partial sums, Pade and endpoint approximants, errors against a reference, poles and zeros, and the plots of its ratios and roots.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -78,7 +78,7 @@ subcommand series_command(CLI::App& program) {
         ->type_name("LIST");
     command
         ->add_option("--method", list.method,
-                     "series, pade ([L/M] with M = N/2) or endpoint; all that apply unless given")
+                     "verdict, series, pade ([L/M] with M = N/2) or endpoint; all that apply unless given")
         ->type_name("METHOD");
     command->add_option("--endpoint", list.end, "another point where the function is known")->type_name("X");
     command->add_option("--endpoint-values", list.at_end, "f,f',f'',... there, for endpoint approximants")
