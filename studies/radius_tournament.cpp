@@ -249,7 +249,7 @@ const study& radius_tournament() {
         .seconds = 8.5,
         .excluded = no_answer_at_limits("theta is constant and every radius infinite", "T* is infinite"),
         .plan = of_pendulum::plan,
-        .version = 3,
+        .version = 4,
         .any_equation = equation_form{
             .plan = of_equation::plan,
             .title = "The radius tests",
