@@ -22,9 +22,9 @@
 #include <string_view>
 #include <vector>
 
-#include "journal/record_text.hpp"
 #include "libration/problem/known/pendulum.hpp"
 #include "sweep/cell_engine.hpp"
+#include "sweep/record_text.hpp"
 
 namespace {
 

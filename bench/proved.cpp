@@ -8,7 +8,7 @@
 #include "libration/expansion/fast_product.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "libration/problem/known/blasius.hpp"
-#include "libration/query/krawczyk.hpp"
+#include "libration/query/shooting/periodic_orbit.hpp"
 #include "libration/query/states.hpp"
 #include "libration/query/trajectory.hpp"
 

@@ -53,13 +53,16 @@ foreach(file IN LISTS data_files)
 endforeach()
 configure_file(cmake/registry.cpp.in ${generated_dir}/registry.cpp @ONLY)
 
-set(study_rooms text run option equation journal sweep)
-set(command_rooms list plot motion table verify find report verb)
+set(study_rooms text run option problem sweep)
+set(command_rooms plot table verify verb)
 list(TRANSFORM study_rooms REPLACE ".+" "${PROJECT_SOURCE_DIR}/src/command/\\0/*.cpp")
 list(TRANSFORM command_rooms REPLACE ".+" "${PROJECT_SOURCE_DIR}/src/command/\\0/*.cpp")
 file(GLOB sweep_sources CONFIGURE_DEPENDS ${study_rooms})
-file(GLOB claim_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/command/claims/*.cpp)
-file(GLOB command_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/command/*.cpp ${command_rooms})
+set(rank_sources ${PROJECT_SOURCE_DIR}/src/command/mpi.cpp ${PROJECT_SOURCE_DIR}/src/command/sweep/ranks.cpp)
+list(REMOVE_ITEM sweep_sources ${rank_sources})
+file(GLOB claim_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/paper/claims/*.cpp)
+file(GLOB command_sources CONFIGURE_DEPENDS
+    ${PROJECT_SOURCE_DIR}/src/command/*.cpp ${PROJECT_SOURCE_DIR}/paper/report/*.cpp ${command_rooms})
 
 # Separate libraries, so that tests can run a study or a sweep without starting the program. A clean build compiles
 # several sources as one, the preset `dev` each by itself: both must compile, so no name may depend on other sources of
@@ -74,7 +77,8 @@ foreach(target IN ITEMS libration-sweep libration-studies libration-claims)
     target_compile_options(${target} PRIVATE ${cold_code})
 endforeach()
 add_dependencies(libration-sweep libration-version)
-target_include_directories(libration-sweep PUBLIC ${PROJECT_SOURCE_DIR}/src/command ${generated_dir})
+target_include_directories(libration-sweep PUBLIC
+    ${PROJECT_SOURCE_DIR}/src/command ${PROJECT_SOURCE_DIR} ${generated_dir})
 target_link_libraries(libration-sweep
     PUBLIC libration::libration CLI11::CLI11 fmt::fmt nlohmann_json::nlohmann_json Threads::Threads
     PRIVATE OpenSSL::Crypto SQLite3::SQLite3 libration-warnings)
@@ -97,7 +101,7 @@ set_source_files_properties(${PROJECT_SOURCE_DIR}/src/command/run/program_files.
     COMPILE_DEFINITIONS "LIBRATION_BUILD_DIR=\"${PROJECT_BINARY_DIR}\";LIBRATION_INSTALLED_PEERS_DIR=\"${peers_from_program}\""
     SKIP_UNITY_BUILD_INCLUSION ON)
 
-list(REMOVE_ITEM command_sources ${PROJECT_SOURCE_DIR}/src/command/main.cpp)
+list(REMOVE_ITEM command_sources ${PROJECT_SOURCE_DIR}/src/command/main.cpp ${rank_sources})
 add_library(libration-program OBJECT ${command_sources})
 set_batch(libration-program 48)
 target_compile_options(libration-program PRIVATE ${cold_code})
@@ -146,8 +150,7 @@ endif()
 if(LIBRATION_BUILD_MPI)
     enable_language(C)  # for MPI's plain C interface
     find_package(MPI REQUIRED COMPONENTS C)
-    file(GLOB mpi_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/command/mpi/*.cpp)
-    add_executable(libration-mpi EXCLUDE_FROM_ALL ${mpi_sources})
+    add_executable(libration-mpi EXCLUDE_FROM_ALL ${rank_sources})
     target_compile_definitions(libration-mpi PRIVATE OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)
     target_link_libraries(libration-mpi
         PRIVATE libration-program libration-studies libration-claims libration-sweep libration-warnings MPI::MPI_C)
@@ -169,7 +172,7 @@ install(DIRECTORY studies/
     DESTINATION ${installed_studies_dir}
     COMPONENT command
     FILES_MATCHING PATTERN "*.gp" PATTERN "*.md.in")
-install(FILES src/command/bash/completion.bash
+install(FILES src/command/completion.bash
     DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
     RENAME libration
     COMPONENT manual)

@@ -70,9 +70,9 @@ target_compile_definitions(libration PUBLIC LIBRATION_COMPILED)
 # with sanitizers, which double the memory, one directory.
 set(units
     "scalar|scalar/ball|digits|function|number"
-    "algebra|elliptic|convergence|pendulum"
+    "algebra|elliptic|approximant|convergence|pendulum"
     "equation|equation/text"
-    "expansion|expansion/batch|integration|integration/(taylor|model|root|singular|closed_form|delay)|event"
+    "expansion|integration|integration/(taylor|model|root|singular|closed_form|delay)|event"
     "integration/collocation"
     "plane|manifold"
     "hybrid|query"
@@ -113,8 +113,8 @@ set_target_properties(libration-vectors PROPERTIES
     POSITION_INDEPENDENT_CODE ON
     CXX_VISIBILITY_PRESET hidden)
 set_source_files_properties(
-    ${PROJECT_SOURCE_DIR}/src/libration/expansion/batch/lane_vectors.cpp
-    ${PROJECT_SOURCE_DIR}/src/libration/expansion/batch/batch_vectors.cpp
+    ${PROJECT_SOURCE_DIR}/src/libration/expansion/lane_vectors.cpp
+    ${PROJECT_SOURCE_DIR}/src/libration/expansion/batch_vectors.cpp
     PROPERTIES COMPILE_OPTIONS -ffp-contract=off)
 target_include_directories(libration-vectors PRIVATE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
 target_compile_features(libration-vectors PRIVATE cxx_std_20)

@@ -5,7 +5,7 @@ include(Catch)
 
 file(GLOB_RECURSE test_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/*_test.cpp)
 if(NOT LIBRATION_BUILD_COMMAND)
-    list(FILTER test_sources EXCLUDE REGEX "/tests/(text|run|option|journal|sweep|studies|command)/")
+    list(FILTER test_sources EXCLUDE REGEX "/tests/(text|run|option|sweep|studies|command|paper)/")
 endif()
 
 add_executable(libration-tests ${test_sources})
@@ -20,7 +20,8 @@ target_link_libraries(libration-tests PRIVATE libration-c)
 target_link_libraries(libration-tests PRIVATE ZLIB::ZLIB)
 target_compile_definitions(libration-tests PRIVATE
     LIBRATION_SYMBOLS="${c_symbols}"
-    LIBRATION_CHECKER="${PROJECT_SOURCE_DIR}/check/libration_check.py")
+    LIBRATION_CHECKER="${PROJECT_SOURCE_DIR}/check/libration_check.py"
+    LIBRATION_LISTS="${PROJECT_SOURCE_DIR}/problems/series/")
 # Calls it while memory allocation fails, by replacing the allocator.
 if(NOT LIBRATION_SANITIZE)
     add_executable(libration-failing-memory

@@ -2,7 +2,7 @@
 
 # The commit identifies the program that produced a result. So only the sources of the program make it dirty: neither a
 # regenerated results/ nor an edited README does.
-set(program_sources include src studies cmake CMakeLists.txt CMakePresets.json)
+set(program_sources include src studies paper cmake CMakeLists.txt CMakePresets.json)
 
 set(COMMIT unknown)
 set(CHANGES "")

@@ -17,7 +17,8 @@
  * pthread_cancel during a call.
  *
  * Threads. Precision is an argument; no state is shared. Functions may be called from any number of threads, also with
- * the same motion, problem, sampler, table or number, which no call changes; the caller is responsible for freeing. For
+ * the same motion, problem, sampler, table or number, which no call changes; of calls with the same solution one waits
+ * for the other. The caller is responsible for freeing. For
  * each calling thread another thread computes while the caller waits, from its first call until it ends, with signals
  * blocked and floating point in its default mode; MPFR's settings and flags of the calling thread are neither read nor
  * changed. Only the sampler computes in the calling thread. A child process may call functions after fork().
@@ -51,6 +52,7 @@ typedef struct libration_number libration_number;
 typedef struct libration_table libration_table;
 typedef struct libration_motion libration_motion;
 typedef struct libration_problem libration_problem;
+typedef struct libration_solution libration_solution;
 typedef struct libration_sampler libration_sampler;
 typedef struct libration_steps libration_steps;
 
@@ -253,6 +255,33 @@ int libration_problem_orbit(const libration_problem *problem, long digits, libra
 int libration_problem_orbit_certificate(const libration_problem *problem, long digits, const char *path,
                                         libration_watch watch, void *context, libration_table **orbit);
 void libration_problem_free(libration_problem *problem);
+
+/* ---- One solution of a problem, for several questions. ---- */
+
+/* The solution keeps the steps of its proved integrations, as far as they fit into 64 MiB in each direction of time. A
+ * question is answered from them as far as they lead, if it has no more digits than those before; then they are continued.
+ * For equations with events, piecewise right-hand sides or delays, and for closed forms, no steps are kept: the answers are
+ * the same. The problem may be freed. */
+int libration_solution_new(const libration_problem *problem, libration_solution **solution);
+/* As libration_problem_known_states, libration_problem_events and libration_problem_coefficients; of coefficients those
+ * PROVED about a time are read from the steps. A callback must not use the same solution. */
+int libration_solution_states(libration_solution *solution, const char *times, long digits, int rigour,
+                              libration_watch watch, void *context, libration_table **states);
+int libration_solution_events(libration_solution *solution, const char *condition, long count, long digits,
+                              libration_table **events);
+int libration_solution_coefficients(libration_solution *solution, const char *point, const char *corners, long first,
+                                    long last, long digits, int rigour, libration_table **coefficients);
+/* As libration_problem_certificate and libration_problem_event_certificate: the values are read from the steps; the
+ * certificate has other steps. */
+int libration_solution_certificate(libration_solution *solution, const char *times, long digits, const char *path,
+                                   libration_watch watch, void *context, libration_table **states);
+int libration_solution_event_certificate(libration_solution *solution, const char *condition, long count, long digits,
+                                         const char *path, libration_watch watch, void *context,
+                                         libration_table **events);
+/* The number of steps that have been made for all questions up to now; a question that is answered from kept steps adds
+ * none. */
+size_t libration_solution_steps(const libration_solution *solution);
+void libration_solution_free(libration_solution *solution);
 
 /* Solutions in double precision by Taylor series, an error of some units in the last place of max(1, largest |value|) per
  * step, amplified by the equations; nothing is proved. `starts` has the state at time `begin`, in the order of the names,

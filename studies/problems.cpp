@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <optional>
 
-#include "equation/catalogue_axis.hpp"
-#include "equation/solution_on_interval.hpp"
 #include "libration/equation/text/parse.hpp"
 #include "libration/problem/catalogue.hpp"
+#include "problem/catalogue_axis.hpp"
+#include "problem/solution_on_interval.hpp"
 #include "shared/list_answers.hpp"
 
 namespace libration::studies {

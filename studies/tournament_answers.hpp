@@ -151,7 +151,7 @@ inline std::vector<judged_answer> answers_of(const known_series<mpfr>& problem, 
             const precision_scope judging(scalar.digits + score_guard_digits);
             const mpfr length = narrow<mpfr>(unit.length);
             for (const auto& each : estimates) {
-                answers.push_back(judge(problem, half, order, scalar, in_unit(widened(each), length)));
+                answers.push_back(judge(problem, half, order, scalar, in_unit(each, length)));
             }
         });
     }

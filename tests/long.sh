@@ -45,7 +45,7 @@ certificates() {
     return "$status"
 }
 
-part 'studies that are killed' "$tests/journal/kill" "$build" 300
+part 'studies that are killed' "$tests/sweep/kill" "$build" 300
 part 'planted faults' "$python" "$tests/faults/plant.py" "$build" --jobs "$(nproc)"
 part 'conditions that no test decides both ways' "$python" "$tests/coverage/coverage.py" "$build" --jobs "$(nproc)"
 part 'a million random values' "$build/libration-attack" motions 1000000

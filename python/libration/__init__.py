@@ -4,6 +4,7 @@
     swing = lb.motion(theta0="150deg", omega0=0)
     swing.theta("1e12", digits=50)
     lb.problem("x' = 1 + x^2; x(0) = 0").reference(1, digits=40)
+    lb.problem("lorenz").solution().states([1, 2])  # a solution that keeps its steps for further questions
     lb.odefun(lambda t, y: y, 0, 1)(1)              # as mpmath's, proved
     lb.solve_ivp(lambda t, y: -y, [0, 5], [1])      # as SciPy's, in double
 
@@ -21,6 +22,7 @@ from .ivp import OdeResult, OdeSolution, solve_ivp
 from .motions import Motion, Samples, motion
 from .odefun import OdeFunction, odefun
 from .problems import Branch, Derivatives, Problem, Radius, Singularities, catalogue, problem, radius
+from .solutions import Solution
 from .studies import Study, study, table
 from .tables import Row, Table
 from .texts import exact
@@ -46,6 +48,7 @@ __all__ = [
     "Row",
     "Samples",
     "Singularities",
+    "Solution",
     "Study",
     "Table",
     "Trajectory",

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from .tables import Row, Table
 
 
@@ -55,3 +57,10 @@ _classes = {1: ArgumentError, 2: RangeError, 3: UndecidedError}
 def error_of(code: int, message: str, subject: str, value: str, reason: str) -> LibrationError:
     """The exception of a code of libration.h."""
     return _classes.get(code, Fault)(message, subject, value, reason)
+
+
+def with_partial(problem: UndecidedError, form: Callable[[Any], Any]) -> UndecidedError:
+    """The error with what is known nevertheless in the form of the result."""
+    if problem.partial is not None:
+        problem.partial = form(problem.partial)
+    return problem

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import warnings
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from os import PathLike, fspath
 from typing import Any, NamedTuple, overload
 
@@ -14,7 +14,8 @@ from . import _libration
 from .ball import Ball
 from .coefficients import texts_of_coefficients
 from .drawing import axes_of, table_of
-from .errors import UndecidedError
+from .errors import UndecidedError, with_partial
+from .solutions import Solution
 from .tables import Cell, Row, Table, number_of
 from .texts import digits_and_rigour, rigour_of, text_of, times_text
 from .trajectories import Trajectory, trajectory_of
@@ -116,13 +117,6 @@ class Derivatives(Table):
         return np.vectorize(number_of, otypes=[float])(self.matrix)
 
 
-def _with_partial(problem: UndecidedError, form: Callable[[Any], Any]) -> UndecidedError:
-    """The error with what is known nevertheless in the form of the result."""
-    if problem.partial is not None:
-        problem.partial = form(problem.partial)
-    return problem
-
-
 class Problem:
     """Differential equations with their starts; made by problem(). Any number of threads may ask it."""
 
@@ -151,6 +145,10 @@ class Problem:
     def names(self) -> list[str]:
         """The unknowns and their lower derivatives, x, x'."""
         return self._problem.names()
+
+    def solution(self) -> Solution:
+        """The solution as an object that keeps the steps of its integration: for several questions about it."""
+        return Solution(self)
 
     def reference(
         self,
@@ -181,7 +179,7 @@ class Problem:
         try:
             return form(self._problem.states(texts, digits, rigour_of(rigour)))
         except UndecidedError as problem:
-            raise _with_partial(problem, form) from None
+            raise with_partial(problem, form) from None
 
     def derivatives(
         self, times: Any, by: str | Sequence[str], digits: int = 50, exact: bool = True
@@ -199,7 +197,7 @@ class Problem:
         try:
             return form(self._problem.derivatives(times_text(times, exact)[0], ",".join(numbers), digits))
         except UndecidedError as problem:
-            raise _with_partial(problem, form) from None
+            raise with_partial(problem, form) from None
 
     def conditions(self, times: Any, exact: bool = True) -> Table:
         """time and condition: the largest of (|t y'| + sum of |x dy/dx|)/max(1, |y|) over the unknowns y, x the initial
@@ -223,7 +221,7 @@ class Problem:
         try:
             return Table._of(self._problem.enclosures(",".join(texts), parts, digits))
         except UndecidedError as problem:
-            raise _with_partial(problem, Table._of) from None
+            raise with_partial(problem, Table._of) from None
 
     def enclosed_events(self, condition: str, count: int = 1, digits: int = 50, parts: int = 64) -> Table:
         """Bounds of the first `count` events of all solutions of a problem whose initial values or parameters are
@@ -233,7 +231,7 @@ class Problem:
         try:
             return Table._of(self._problem.enclosed_events(condition, count, parts, digits))
         except UndecidedError as problem:
-            raise _with_partial(problem, Table._of) from None
+            raise with_partial(problem, Table._of) from None
 
     def events(
         self, condition: str, count: int = 1, digits: int = 50, certificate: str | PathLike[str] | None = None
@@ -247,7 +245,7 @@ class Problem:
         try:
             return Table._of(self._problem.events(condition, count, digits))
         except UndecidedError as problem:
-            raise _with_partial(problem, Table._of) from None
+            raise with_partial(problem, Table._of) from None
 
     def trajectory(
         self,
@@ -309,7 +307,7 @@ class Problem:
         try:
             return Table._of(self._problem.limits(digits))[0]
         except UndecidedError as problem:
-            raise _with_partial(problem, lambda table: Table._of(table)[0]) from None
+            raise with_partial(problem, lambda table: Table._of(table)[0]) from None
 
     @overload
     def find(
@@ -357,7 +355,7 @@ class Problem:
             try:
                 return _branch(Table._of(self._problem.branch(names, conditions, along, digits)))
             except UndecidedError as problem:
-                raise _with_partial(problem, lambda table: _branch(Table._of(table))) from None
+                raise with_partial(problem, lambda table: _branch(Table._of(table))) from None
         if certificate is not None:
             return _values(Table._of(self._problem.find_certificate(names, conditions, digits, fspath(certificate))))
         return _values(Table._of(self._problem.find(names, conditions, digits)))

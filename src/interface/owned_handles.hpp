@@ -18,6 +18,7 @@ using number = handle<libration_number, libration_number_free>;
 using table = handle<libration_table, libration_table_free>;
 using motion = handle<libration_motion, libration_motion_free>;
 using problem = handle<libration_problem, libration_problem_free>;
+using solution = handle<libration_solution, libration_solution_free>;
 using sampler = handle<libration_sampler, libration_sampler_free>;
 using steps = handle<libration_steps, libration_steps_free>;
 

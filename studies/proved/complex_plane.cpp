@@ -5,12 +5,12 @@
 #include <cmath>
 #include <string>
 
-#include "equation/catalogue_axis.hpp"
 #include "libration/equation/first_order_form.hpp"
 #include "libration/equation/text/parse.hpp"
 #include "libration/plane/proved_singularity.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "libration/scalar/ball/decimal.hpp"
+#include "problem/catalogue_axis.hpp"
 #include "sweep/study.hpp"
 
 namespace libration::studies {

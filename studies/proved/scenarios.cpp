@@ -3,12 +3,12 @@
 #include <cmath>
 #include <string>
 
-#include "equation/catalogue_axis.hpp"
 #include "libration/equation/text/parse.hpp"
 #include "libration/plane/proved_singularity.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "libration/query/states.hpp"
 #include "libration/scalar/ball/decimal.hpp"
+#include "problem/catalogue_axis.hpp"
 #include "sweep/study.hpp"
 
 namespace libration::studies {

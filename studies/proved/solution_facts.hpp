@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "libration/convergence/coefficient_unit.hpp"
-#include "libration/convergence/radius_report.hpp"
+#include "libration/convergence/radius_answers.hpp"
 #include "libration/digits/proved_decimals.hpp"
 #include "libration/equation/first_order_form.hpp"
 #include "libration/expansion/taylor_expansion.hpp"
@@ -148,8 +148,8 @@ private:
     static convergence::radius_estimate<mpfr> verdict_on(const series::power_series<mpfr>& list) {
         const auto unit = convergence::unit_of(list);
         const precision_scope scope(digits_of_lists);
-        const auto report = convergence::report_on_radius(convergence::in_unit_of<mpfr>(list, unit), epsilon<mpfr>());
-        return convergence::in_unit(report.verdict, unit.length);
+        const auto verdict = convergence::verdict_in(convergence::in_unit_of<mpfr>(list, unit));
+        return convergence::in_unit(convergence::estimate_of(verdict), unit.length);
     }
 
     // x to the position of its uncertainty; empty if no digit is left, "0" if x is negligible compared with it.

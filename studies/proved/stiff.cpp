@@ -8,6 +8,7 @@
 #include "../shared/named_choice.hpp"
 #include "libration/equation/constant_value.hpp"
 #include "libration/integration/integration.hpp"
+#include "libration/integration/rule_for.hpp"
 #include "libration/problem/problem_family.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "sweep/study.hpp"

@@ -11,6 +11,7 @@
 
 #include "equation_plan.hpp"
 #include "libration/convergence/coefficient_unit.hpp"
+#include "libration/convergence/radius_answers.hpp"
 #include "libration/convergence/radius_report.hpp"
 #include "libration/convergence/root_variable.hpp"
 #include "libration/pendulum/series_on_arc.hpp"
@@ -71,7 +72,7 @@ inline const column_list<answered_list>& answer_columns() {
          })},
         {"position_re", "Re of a nearest singularity, from the expansion point", place(&complex_number<mpfr>::re)},
         {"position_im", "Im of it", place(&complex_number<mpfr>::im)},
-        {"kind", "unknown | pole | logarithm | algebraic | boundary",
+        {"kind", "unknown | pole | logarithm | algebraic | boundary | confluent | irregular",
          if_found([](const row& r) { return convergence::name_of(r.found.kind); })},
         {"exponent", "nu of (1 - x/x0)^nu there, where it was measured",
          if_found([](const row& r) { return decimal_cell(r.found.exponent, std::min(r.digits, 10L)); })},
@@ -132,10 +133,12 @@ inline bool is_by_size(const std::string& method) {
 
 /// The verdict and the results of the tests that are `shown`, in this order.
 template <class T, class Shown>
-std::vector<convergence::radius_estimate<T>> estimates_of(const series::power_series<T>& list, const Shown& shown) {
-    const auto report = convergence::report_on_radius(list, epsilon<T>());
-    std::vector<convergence::radius_estimate<T>> all{report.verdict};
-    all.insert(all.end(), report.tests.begin(), report.tests.end());
+std::vector<convergence::radius_estimate<mpfr>> estimates_of(const series::power_series<T>& list, const Shown& shown) {
+    std::vector<convergence::radius_estimate<mpfr>> all{convergence::estimate_of(convergence::verdict_in(list))};
+    const precision_scope scope(decimal_digits(digits<T>()) + guard_of_lists);
+    for (const auto& each : convergence::report_on_radius(list, epsilon<T>()).tests) {
+        all.push_back(convergence::widened(each));
+    }
     std::erase_if(all, [&](const auto& each) { return !shown(each.method); });
     return all;
 }
@@ -154,9 +157,8 @@ std::vector<answered_list> judged_answers(const sweep_energy& at, const exact& p
         const auto list = series_on_arc<T>(m, point.coefficient, orders.back(), hidden_unit);
         for (const int order : orders) {
             for (const auto& each : estimates_of(list.scaled.truncated(order), shown)) {
-                const auto found = in_unit(each, list.unit);
                 const precision_scope judging(scalar.digits + guard_of_lists);
-                all.push_back({order, convergence::widened(found), scalar.digits, "", truth, &at, &point});
+                all.push_back({order, in_unit(each, widen(list.unit)), scalar.digits, "", truth, &at, &point});
             }
         }
     });
@@ -187,8 +189,7 @@ std::vector<answered_list> answers_to(const std::string& unknown, const series::
         const auto answers = estimates_of(convergence::in_unit_of<T>(part, unit), shown);
         const precision_scope scope(scalar.digits + guard_of_lists);
         for (const auto& each : answers) {
-            auto found =
-                convergence::in_powers_of_root(convergence::in_unit(convergence::widened(each), unit.length), root);
+            auto found = convergence::in_powers_of_root(convergence::in_unit(each, unit.length), root);
             found.note = without_commas(found.note);
             all.push_back({order, std::move(found), scalar.digits, unknown});
         }

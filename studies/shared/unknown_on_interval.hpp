@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "equation/approximants_of_unknown.hpp"
+#include "problem/approximants_of_unknown.hpp"
 
 namespace libration::studies {
 

@@ -8,8 +8,8 @@
 
 #include "certificates/checked.hpp"
 #include "command/refusal.hpp"
-#include "equation/certificate_file.hpp"
 #include "libration/query/certificate/certificate.hpp"
+#include "problem/certificate_file.hpp"
 
 namespace command_certificate_test {
 

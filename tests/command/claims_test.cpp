@@ -5,9 +5,9 @@
 #include <sstream>
 #include <string>
 
-#include "claims/claim.hpp"
 #include "command/printed.hpp"
 #include "command/refusal.hpp"
+#include "paper/claims/claim.hpp"
 #include "sweep/study_order.hpp"
 
 namespace command_claims_test {

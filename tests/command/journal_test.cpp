@@ -1,5 +1,5 @@
 // `libration journal`, and studies that are killed, resumed, split in shards and merged.
-#include "journal/journal.hpp"
+#include "sweep/journal.hpp"
 
 #include <sys/resource.h>
 #include <sys/wait.h>

@@ -7,8 +7,8 @@
 #include "command/printed.hpp"
 #include "command/refusal.hpp"
 #include "libration/series/power_series.hpp"
-#include "list/coefficient_tables.hpp"
 #include "plot/figure_file.hpp"
+#include "problem/coefficient_tables.hpp"
 
 namespace command_plot_test {
 

@@ -9,7 +9,8 @@
 #include "convergence/logarithmic_families.hpp"
 #include "convergence/radius_families.hpp"
 #include "libration/convergence/coefficient_noise.hpp"
-#include "libration/convergence/list_report.hpp"
+#include "libration/convergence/radius_answers.hpp"
+#include "libration/scalar/decimal.hpp"
 
 namespace convergence_radius_population_test {
 
@@ -37,10 +38,10 @@ const drawn_singularity& meant_by(const std::optional<complex_number<mpfr>>& pos
     });
 }
 
-template <class T>
-misses misses_of(const list_report<T>& found, const drawn_series& drawn) {
+misses misses_of(const listed_function& function, const scalar_spec& scalar, const drawn_series& drawn) {
+    const auto answers = answers_of(function, scalar);
     const precision_scope scope(100);
-    const auto verdict = in_unit(widened(found.report.verdict), narrow<mpfr>(found.unit.length));
+    const auto& verdict = answers.rows.front();
     if (!verdict.radius) {
         return {};
     }
@@ -59,7 +60,7 @@ misses misses_of(const list_report<T>& found, const drawn_series& drawn) {
 // A list of so many digits, 16 standing for doubles.
 misses judged(const drawn_series& drawn, int digits) {
     if (digits == 16) {
-        return misses_of(report_on_list(drawn.a, epsilon<double>()), drawn);
+        return misses_of({{{drawn.a, {}}}}, read_scalar("double"), drawn);
     }
     auto list = drawn.a;
     std::vector<exact> written;
@@ -67,8 +68,7 @@ misses judged(const drawn_series& drawn, int digits) {
         written.push_back(read_exact(to_decimal(drawn.a[n], digits)));
         list[n] = from_exact<mpfr>(written.back());
     }
-    const precision_scope judging(std::max(digits, 30));
-    return misses_of(report_on_list(list, noise_of<mpfr>(written)), drawn);
+    return misses_of({{{list, written}}}, {scalar_kind::arbitrary, std::max(digits, 30)}, drawn);
 }
 
 // One list: N and the digits of its coefficients by chance.
@@ -208,7 +208,7 @@ TEST_CASE("exponents of psi series and of confluent powers are covered", "[conve
             INFO(solution.problem << " N = " << order);
             CHECK(miss.radius.value_or(0) <= 1);
             CHECK(miss.exponent.value_or(0) <= 1);
-            CHECK((miss.kind == singularity_kind::unknown || miss.kind == singularity_kind::branch));
+            CHECK((miss.kind == singularity_kind::unknown || miss.kind == singularity_kind::confluent));
             all.add(miss);
         }
     }
@@ -231,7 +231,7 @@ TEST_CASE("logarithms upon a power are one singularity of no named kind, and not
                 INFO("N = " << order << ", " << digits << " digits");
                 CHECK(miss.radius.value_or(2) <= 1);
                 CHECK(miss.exponent.value_or(0) <= 1);
-                CHECK((miss.kind == singularity_kind::unknown || miss.kind == singularity_kind::branch));
+                CHECK((miss.kind == singularity_kind::unknown || miss.kind == singularity_kind::confluent));
                 CHECK(miss.count <= 1);
             }
         }

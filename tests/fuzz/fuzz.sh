@@ -30,7 +30,7 @@ sources_of() {
         coefficient_list) printf '%s\n' "$root"/src/libration/scalar/*.cpp "$root"/src/libration/scalar/*/*.cpp \
             "$root"/src/libration/digits/*.cpp ;;
         command_line) printf '%s\n' "$root"/src/libration/scalar/*.cpp "$root"/src/libration/scalar/*/*.cpp \
-            "$root"/src/command/option/*.cpp "$root"/src/command/text/*.cpp "$root"/src/command/motion/motion_options.cpp "$root"/src/command/verb/period.cpp ;;
+            "$root"/src/command/option/*.cpp "$root"/src/command/text/*.cpp "$root"/src/command/problem/motion_options.cpp "$root"/src/command/verb/period.cpp ;;
     esac
 }
 

@@ -34,15 +34,19 @@ const std::string order_of_modules =
     "scalar digits series algebra function number elliptic|approximant convergence equation expansion integration "
     "event hybrid plane manifold asymptotics query pendulum problem verification library interface|import|text run "
     "option "
-    "problem_tables journal sweep studies claims|list plot motion table verify|find report verb command mpi";
-// These include nothing of the pendulum itself, although it comes before them.
-const std::set<std::string> general{"interface", "text", "run", "option", "problem_tables", "journal", "sweep", "verb"};
+    "problem_tables sweep studies|plot table verify paper verb command";
+// These include nothing of the pendulum itself, although it comes before them; of the tables of a problem those named
+// pendulum_tables do.
+const std::set<std::string> general{"interface", "text", "run", "option", "problem_tables", "sweep", "verb"};
+const std::set<std::string> pendulum_tables{"motion_cells", "motion_options", "period_table", "solution_options",
+                                            "trajectory_points"};
 // Subfolders include the plain files of their module; of their sisters only these.
 const std::set<std::pair<std::string, std::string>> sisters{{"integration/collocation", "integration/taylor"},
                                                             {"integration/delay", "integration/taylor"},
                                                             {"integration/model", "integration/taylor"},
                                                             {"integration/root", "integration/taylor"},
                                                             {"integration/root", "integration/singular"},
+                                                            {"paper/report", "paper/claims"},
                                                             {"studies/pendulum", "studies/shared"},
                                                             {"studies/proved", "studies/shared"}};
 
@@ -59,7 +63,7 @@ std::string module_of(const std::string& path) {
     const std::string here = folder(path);
     if (here.empty()) return "library";  // the umbrella headers
     if (here == "src/command") return "command";
-    if (here == "src/command/equation") return "problem_tables";
+    if (here == "src/command/problem") return "problem_tables";
     for (const std::string outer : {"src/command/", "src/"})
         if (here.starts_with(outer)) return here.substr(outer.size(), here.find('/', outer.size()) - outer.size());
     return here.substr(0, here.find('/'));
@@ -81,8 +85,10 @@ bool may_include(const std::string& from, const std::string& to) {
         const bool nested = a.starts_with(b) || b.starts_with(a);
         return here == "library" || nested || sisters.contains({a, b});
     }
-    if (general.contains(here) && (there == "pendulum" || there == "library")) return false;
-    if (general.contains(here) && here != "interface" && here != "verb" &&
+    const bool of_pendulum =
+        here == "problem_tables" && pendulum_tables.contains(fs::path(from).stem().generic_string());
+    if (general.contains(here) && !of_pendulum && (there == "pendulum" || there == "library")) return false;
+    if (general.contains(here) && !of_pendulum && here != "interface" && here != "verb" &&
         to.starts_with("include/libration/problem/known/"))
         return false;
     return rank(there) < rank(here);
@@ -91,10 +97,10 @@ bool may_include(const std::string& from, const std::string& to) {
 bool is_source(const std::string& path) { return path.ends_with(".hpp") || path.ends_with(".cpp"); }
 
 // The file of the repository that an #include in `from` means, or "" for an external one. <...> and "..." are both
-// looked up as by the compiler: in the directory of the file, then in include/, src/ and src/command/.
+// looked up as by the compiler: in the directory of the file, then in include/, src/, src/command/ and the top.
 std::string included_file(const house& all, const std::string& from, const std::string& name) {
     const auto beside = (fs::path(from).parent_path() / name).lexically_normal().generic_string();
-    for (const auto& candidate : {beside, "include/" + name, "src/" + name, "src/command/" + name})
+    for (const auto& candidate : {beside, "include/" + name, "src/" + name, "src/command/" + name, name})
         if (all.contains(candidate)) return candidate;
     return {};
 }
@@ -270,7 +276,7 @@ house files_of(const std::vector<std::string>& folders) {
     return all;
 }
 
-house this_house() { return files_of({"include", "src", "studies"}); }
+house this_house() { return files_of({"include", "src", "studies", "paper"}); }
 
 std::string lines(const complaints& found) {
     std::ostringstream out;
@@ -336,7 +342,7 @@ TEST_CASE("a crooked house is noticed", "[house]") {
     const std::string scalar = "include/libration/scalar/quad.hpp",
                       series = "include/libration/series/power_series.hpp",
                       approximant = "include/libration/approximant/pade.hpp",
-                      convergence = "include/libration/convergence/radius_verdict.hpp",
+                      convergence = "include/libration/convergence/radius_report.hpp",
                       elliptic = "include/libration/elliptic/jacobi.hpp",
                       pendulum = "include/libration/pendulum/period.hpp", sweep = "src/command/sweep/study.hpp",
                       problem = "include/libration/problem/problem_family.hpp",
@@ -395,6 +401,8 @@ TEST_CASE("a crooked house is noticed", "[house]") {
             CHECK(complaints_if(general, include(known)).size() == 1);
         }
         CHECK(complaints_if("src/command/verb/period.cpp", include(pendulum)).size() == 1);
+        CHECK(complaints_if("src/command/problem/problem_options.cpp", include(pendulum)).size() == 1);
+        CHECK(complaints_if("src/command/problem/motion_options.cpp", include(pendulum)).empty());
         CHECK(complaints_if("src/interface/c/motions.cpp", include(pendulum)).size() == 1);
         CHECK(complaints_if("src/interface/python/module.cpp", include(pendulum)).size() == 1);
         CHECK(complaints_if(sweep, "  #  include \"../main.cpp\" // indented").size() == 1);

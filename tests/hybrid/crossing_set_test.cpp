@@ -8,6 +8,7 @@
 #include "libration/equation/text/parse.hpp"
 #include "libration/expansion/step_pieces.hpp"
 #include "libration/integration/integration.hpp"
+#include "libration/integration/rule_for.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 

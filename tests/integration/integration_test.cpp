@@ -10,6 +10,7 @@
 #include "libration/equation/text/parse.hpp"
 #include "libration/expansion/step_pieces.hpp"
 #include "libration/integration/proved_march.hpp"
+#include "libration/integration/rule_for.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 

@@ -13,9 +13,10 @@
 #include "libration/number/two_proofs.hpp"
 #include "libration/plane/proved_singularity.hpp"
 #include "libration/query/certificate/certificate.hpp"
-#include "libration/query/krawczyk.hpp"
 #include "libration/query/problem_coefficients.hpp"
 #include "libration/query/proved_events.hpp"
+#include "libration/query/shooting/periodic_orbit.hpp"
+#include "libration/query/shooting/proved_unknowns.hpp"
 #include "libration/query/states.hpp"
 #include "libration/scalar/ball/polynomial.hpp"
 

@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "claims/claim.hpp"
+#include "paper/claims/claim.hpp"
 #include "text/table.hpp"
 
 namespace paper_all_claims_test {

@@ -7,8 +7,8 @@
 #include <sstream>
 #include <string>
 
-#include "claims/claim.hpp"
 #include "libration/pendulum/error_norm.hpp"
+#include "paper/claims/claim.hpp"
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 

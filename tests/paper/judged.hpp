@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "claims/claim.hpp"
 #include "libration/scalar/precision.hpp"
+#include "paper/claims/claim.hpp"
 
 namespace libration {
 

@@ -46,6 +46,41 @@ TEST_CASE("a solution has states, events, series and a radius", "[problem]") {
     CHECK(radius.at(0, "upper").starts_with("1.57079632"));
 }
 
+TEST_CASE("a solution keeps its steps for further questions", "[problem]") {
+    const auto x = solve(problem(tangent));
+    long observed = 0;
+    request how = proved_digits(30);
+    how.observer = [&](const ode::step_report&) { ++observed; };
+    CHECK(x->states("pi/4, -pi/6", how).at(0, "x").starts_with("1.0000"));
+    const long steps = observed;
+    CHECK(steps > 0);
+    CHECK(x->steps_made() == static_cast<std::size_t>(steps));
+    CHECK(x->states("-pi/6, pi/6, pi/4", how).at(1, "x") == "0.577350269189625764509148780502");
+    CHECK(x->states("pi/4", proved_digits(20)).at(0, "x") == "1.0000000000000000000");
+    CHECK(x->events("x = sqrt(3)/3", 1, proved_digits(30)).at(0, "time") == "0.523598775598298873077107230547");
+    CHECK(observed == steps);
+    CHECK(x->steps_made() == static_cast<std::size_t>(steps));
+    // Farther than before the steps are continued, with more digits they are made anew.
+    CHECK(x->states("pi/3", how).at(0, "x") == "1.73205080756887729352744634151");
+    CHECK(observed > steps);
+    CHECK(observed < 3 * steps);
+    const auto before = x->steps_made();
+    CHECK(x->states("pi/4", proved_digits(100)).at(0, "x").starts_with("1.00000000000000000000000000000000000000000"));
+    CHECK(x->steps_made() > before);
+    CHECK(x->series(1, "pi/4", proved_digits(10)).at(1, "x") == "2.000000000");
+}
+
+TEST_CASE("independent parts of a system keep their own steps", "[problem]") {
+    const auto both = solve(problem("x' = 1 + x^2; x(0) = 0; y' = -y^2; y(0) = 1"));
+    const auto first = both->states("pi/4", proved_digits(20));
+    CHECK(first.at(0, "x") == "1.0000000000000000000");
+    const auto steps = both->steps_made();
+    CHECK(both->states("pi/4", proved_digits(20)).at(0, "y") == first.at(0, "y"));
+    CHECK(both->steps_made() == steps);
+    // Events are those of the whole system: x = y where tan t = 1/(1 + t).
+    CHECK(both->events("x = 1", 1, proved_digits(20)).at(0, "time") == "0.78539816339744830962");
+}
+
 TEST_CASE("a solution has a radius about any point, fractions and singularities", "[problem]") {
     const auto x = solve(problem(tangent));
     // About pi/4 the nearest pole of the tangent is pi/4 away.

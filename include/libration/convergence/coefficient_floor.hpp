@@ -141,4 +141,11 @@ inline series::power_series<mpfr> above_floor(const series::power_series<mpfr>& 
     return kept;
 }
 
+/// "a noise floor of about 1.1e-16 from n = 53 on is left out".
+inline std::string text_of(const coefficient_floor& floor) {
+    const std::string rate = floor.rate == 1 ? "" : " times " + to_decimal(floor.rate, 3) + "^n";
+    return "a noise floor of about " + to_decimal(floor.level, 2) + rate + " from n = " + std::to_string(floor.first) +
+           " on is left out";
+}
+
 }  // namespace libration::convergence

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,23 @@ inline long written_digits(const exact& number) {
     const std::size_t first = std::min(significand.find_first_of("123456789"), significand.size());
     return static_cast<long>(std::count_if(significand.begin() + static_cast<std::ptrdiff_t>(first), significand.end(),
                                            [](unsigned char c) { return std::isdigit(c) != 0; }));
+}
+
+/// The number of digits to which the decimals of a list are rounded: their common number of significant digits if that is
+/// at least 17; 0, exact, otherwise.
+inline long rounding_of(const std::vector<exact>& list) {
+    constexpr long fewest = 17;
+    std::optional<long> common;
+    for (const exact& number : list) {
+        const long digits = written_digits(number);
+        if (digits > 0) {
+            if (common && digits != *common) {
+                return 0;
+            }
+            common = digits;
+        }
+    }
+    return common.value_or(0) >= fewest ? *common : 0;
 }
 
 /// The relative accuracy of the numbers of a list: epsilon, or 10^(1-d) if that is larger, d the largest number of

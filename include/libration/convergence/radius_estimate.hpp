@@ -13,18 +13,19 @@
 
 namespace libration::convergence {
 
-/// How f behaves at x0, with z = 1 - x/x0: z^-m, log z, z^nu with any other exponent, a boundary where it ends, or z^nu
-/// with an exponent that is not an integer, to which logarithms or other powers may be joined.
-enum class singularity_kind { unknown, pole, logarithm, algebraic, boundary, branch };
+/// How f behaves at x0, with z = 1 - x/x0: z^-m; log z; z^nu with any other exponent; a boundary where f ends; a
+/// logarithm or two powers, which the coefficients do not distinguish; or an irregular (essential) singularity.
+enum class singularity_kind { unknown, pole, logarithm, algebraic, boundary, confluent, irregular };
 
-/// unknown | pole | logarithm | algebraic | boundary | branch.
+/// unknown | pole | logarithm | algebraic | boundary | confluent | irregular.
 inline std::string name_of(singularity_kind kind) {
     switch (kind) {
         case singularity_kind::pole: return "pole";
         case singularity_kind::logarithm: return "logarithm";
         case singularity_kind::algebraic: return "algebraic";
         case singularity_kind::boundary: return "boundary";
-        case singularity_kind::branch: return "branch";
+        case singularity_kind::confluent: return "confluent";
+        case singularity_kind::irregular: return "irregular";
         case singularity_kind::unknown: break;
     }
     return "unknown";
@@ -42,10 +43,8 @@ struct radius_estimate {
     T exponent_uncertainty = T(0);
     bool exponent_assumed = false;  ///< the exponent is an assumption of the test
     singularity_kind kind = singularity_kind::unknown;
-    int count = 0;            ///< singularities on the circle of convergence; 0 if the test does not determine it
-    std::string note;         ///< the reason why there is no radius, or a remark
-    bool may_decide = false;  ///< the uncertainty of its test is reliable (radius_test)
-    int caution = 1;          ///< a verdict multiplies its uncertainty by this factor
+    int count = 0;     ///< singularities on the circle of convergence; 0 if the test does not determine it
+    std::string note;  ///< the reason why there is no radius, or a remark
 };
 
 /// A list a_0 .. a_N, each known to `noise` relative to its size.
@@ -89,8 +88,6 @@ radius_estimate<mpfr> widened(const radius_estimate<T>& estimate) {
     result.kind = estimate.kind;
     result.count = estimate.count;
     result.note = estimate.note;
-    result.may_decide = estimate.may_decide;
-    result.caution = estimate.caution;
     return result;
 }
 

@@ -1,5 +1,5 @@
-// The complete analysis of the radius of convergence of a list of coefficients: pattern, growth, all tests, and a
-// verdict.
+// The classical tests of the radius of convergence on a list of coefficients, with its pattern and growth. The verdict on
+// a list is not drawn from them (verdict.hpp).
 #pragma once
 
 #include <string>
@@ -8,8 +8,7 @@
 
 #include "libration/convergence/coefficient_growth.hpp"
 #include "libration/convergence/coefficient_pattern.hpp"
-#include "libration/convergence/exponent_drift.hpp"
-#include "libration/convergence/radius_verdict.hpp"
+#include "libration/convergence/exponent_uncertainty.hpp"
 #include "libration/convergence/test/differential_approximants.hpp"
 #include "libration/convergence/test/domb_sykes.hpp"
 #include "libration/convergence/test/hunter_guerrieri.hpp"
@@ -32,8 +31,8 @@ enum class radius_test_kind {
     recurrence,  ///< a recurrence fitted to the coefficients
 };
 
-/// The factor by which a verdict multiplies the uncertainty of a test that may not decide: straight lines through
-/// ratios look more certain than they are if singularities are confluent, essential or close to each other.
+/// The factor of the uncertainty of a test whose own one is not that of its assumption: straight lines through ratios
+/// look more certain than they are if singularities are confluent, essential or close to each other. Calibrated.
 inline int caution_of(radius_test_kind kind) { return kind == radius_test_kind::ratios ? 8 : 2; }
 
 /// A test: its name, and how far it is trusted.
@@ -42,8 +41,8 @@ struct radius_test {
     std::string method;
     radius_estimate<T> (*run)(const strided_series<T>&);
     radius_test_kind kind;
-    /// Whether a verdict may be based on it: its uncertainty follows the error even if its assumption is wrong.
-    bool may_decide = false;
+    /// Its uncertainty follows the error even if its assumption is wrong.
+    bool is_self_validating = false;
     bool as_given = false;  ///< on all coefficients, zeros included, rather than on the class that symmetry leaves
 };
 
@@ -72,7 +71,6 @@ template <rounding_scalar T>
 struct radius_report {
     coefficient_pattern pattern;
     coefficient_growth<T> growth;
-    radius_estimate<T> verdict;
     std::vector<radius_estimate<T>> tests;  ///< in the order of all_radius_tests()
 };
 
@@ -91,27 +89,18 @@ inline std::string reason_for_no_radius(const coefficient_pattern& pattern, grow
     return "";
 }
 
-/// Whether a verdict has at least six digits: then a radius exists, whatever the growth looks like. Coefficients of one
-/// singularity and a stronger one further out grow as if there were none.
+/// Whether a self-validating test has at least six digits: then a radius exists, whatever the growth looks like.
+/// Coefficients of one singularity and a stronger one further out grow as if there were none.
 template <rounding_scalar T>
-bool is_certain(const radius_estimate<T>& verdict) {
-    return verdict.radius && verdict.uncertainty * 1'000'000 <= *verdict.radius;
-}
-
-/// Adds to the uncertainty of a verdict's exponent that due to the radius and the possible remaining drift of the
-/// exponent, unless the radius is so certain that slow corrections are excluded; then sets the kind, if that decides
-/// it.
-template <rounding_scalar T>
-void judge_exponent(radius_estimate<T>& verdict, const strided_series<T>& part, const list_quality<T>& list) {
-    add_position_to_exponent(verdict, list);
-    if (verdict.exponent && verdict.position && !is_sharp(verdict, list)) {
-        const auto local = local_exponents_of(part, *verdict.position, verdict.count);
-        verdict.exponent_uncertainty =
-            std::max(verdict.exponent_uncertainty,
-                     local ? drift_of_exponent(*local, *verdict.exponent, list) : unseen_drift(list));
+bool has_certain_radius(const radius_report<T>& report) {
+    const auto tests = all_radius_tests<T>();
+    for (std::size_t i = 0; i < report.tests.size(); ++i) {
+        const radius_estimate<T>& each = report.tests[i];
+        if (tests[i].is_self_validating && each.radius && each.uncertainty * 1'000'000 <= *each.radius) {
+            return true;
+        }
     }
-    drop_uncertain_exponent(verdict);
-    verdict.kind = kind_of(verdict, is_pure(verdict, list));
+    return false;
 }
 
 /// All tests on a_0 .. a_N, known to a relative accuracy `noise` and scaled so that the radius is about 1: coefficients
@@ -132,20 +121,12 @@ radius_report<T> report_on_radius(const series::power_series<T>& a, const T& noi
         }
         for (const auto& test : tests) {
             report.tests.push_back(test.run(test.as_given ? all : part));
-            report.tests.back().may_decide = test.may_decide;
             add_position_to_exponent(report.tests.back(), quality);
-            if (!test.may_decide) {
-                report.tests.back().caution = caution_of(test.kind);
-            }
-        }
-        report.verdict = verdict_of(report.tests, report.pattern);
-        if (report.verdict.radius && !report.pattern.lacunary) {
-            judge_exponent(report.verdict, part, quality);
+            report.tests.back().uncertainty *= test.is_self_validating ? 1 : caution_of(test.kind);
         }
     }
     const std::string reason = reason_for_no_radius(report.pattern, report.growth.kind);
-    if (!reason.empty() && !is_certain(report.verdict)) {
-        report.verdict = no_estimate<T>("verdict", reason);
+    if (!reason.empty() && !has_certain_radius(report)) {
         report.tests.clear();
         for (const auto& test : tests) {
             report.tests.push_back(no_estimate<T>(test.method, reason));

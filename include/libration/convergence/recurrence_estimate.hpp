@@ -73,9 +73,9 @@ radius_estimate<T> estimate_by_recurrence(const std::string& method, const strid
     result.position = complex_number<T>{in_scalar(first.at.re), in_scalar(first.at.im)};
     const mpfr radius = modulus_of(first.at);
     result.exponent_assumed = form.highest == form.lowest;
-    result.caution = result.exponent_assumed && first.moved.likely * 1'000'000 > radius ? 3 : 1;
+    const int caution = result.exponent_assumed && first.moved.likely * 1'000'000 > radius ? 3 : 1;
     result.radius = in_scalar(radius);
-    result.uncertainty = in_scalar(first.moved.likely) * safety + *result.radius * rounding;
+    result.uncertainty = (in_scalar(first.moved.likely) * safety + *result.radius * rounding) * caution;
     if (result.uncertainty >= *result.radius) {
         return no_estimate<T>(method, "its roots do not settle");
     }

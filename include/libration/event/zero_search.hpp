@@ -9,6 +9,7 @@
 #include "libration/expansion/start_sign.hpp"
 #include "libration/expansion/step_pieces.hpp"
 #include "libration/integration/integration.hpp"
+#include "libration/integration/kept_integrations.hpp"
 
 namespace libration::ode {
 
@@ -83,6 +84,9 @@ public:
     /// error like sign_at_start, and for a singular initial point if g may be 0 there, or backwards.
     zero_search(const explicit_system& system, const expression& g, long bits, int direction = 1,
                 const proof_route& route = {}, march_watch watch = {});
+    /// The same along kept steps of the system, of which at least so many bits are needed.
+    zero_search(const explicit_system& system, const expression& g, const kept_part& kept, long bits, int direction = 1,
+                const proof_route& route = {}, march_watch watch = {});
     /// The same in the direction of time (< 0: backwards) from a set of any width: an event is one of every solution, in
     /// the enclosures of its time and state.
     zero_search(const explicit_system& system, const expression& g, const set_start& start, long bits, int direction,
@@ -111,6 +115,9 @@ public:
     std::optional<proved_event> next(crossing way, const std::optional<number>& end,
                                      const std::optional<long>& horizon = std::nullopt);
 
+    /// Where the tangent of g at the beginning of the step that is searched next is 0, as a distance of time from there;
+    /// infinite if g moves away from 0 or that step is not made. An estimate, on which no proof depends.
+    double distance_by_tangent() const;
     /// The beginning of the step that is searched, or the time up to which the solution is proved to exist.
     const ball& reached() const { return time_; }
     /// The number of that step, and the steps up to there, of which one of collocation counts as several.
@@ -135,7 +142,7 @@ private:
         int sign;  // of g, or of its derivative
     };
 
-    zero_search(const explicit_system& system, const expression& g, std::unique_ptr<integration> own,
+    zero_search(const explicit_system& system, const expression& g, std::shared_ptr<integration> own,
                 step_sequence* along, long bits, int direction, march_watch watch);
     void begin_at(const number& point);
     void begin_at_singular(const flow_state& start);
@@ -147,6 +154,7 @@ private:
     ball of_state(const expression& e, const ball& distance) const { return values_at(distance).of(e); }
     ball slope_at(const ball& distance, expression_values<ball>& values) const;
     int sign_at(const ball& distance) const;
+    crossing way_of_next() const;
     bool covers_beginning(const step_piece& p) const;
     bool is_start(const step_piece& p) const { return start_.order > 0 && number_ == 0 && p.at_0(); }
     void leave_step();
@@ -167,7 +175,8 @@ private:
     expression g_, slope_;
     std::vector<expression> gradient_;     // the derivatives of g with respect to the leaves, and to the variable
     std::optional<expression> curvature_;  // computed on demand
-    std::unique_ptr<integration> own_;
+    kept_integrations* kept_ = nullptr;    // of which the integration is one
+    std::shared_ptr<integration> own_;
     step_sequence& along_;
     long bits_, digits_;
     int direction_;
@@ -175,6 +184,7 @@ private:
     start_sign start_;
     std::optional<ball> after_;           // the end of the ball in which a search from a set begins
     int sign_ = 1;                        // of g when it was last certain
+    crossing way_ = crossing::any;        // of the zeros that are enclosed
     bool open_ = false;                   // g has been monotone towards 0 since then
     std::vector<proved_event> parts_;     // and the possible locations of its zero on these pieces
     std::vector<step_piece> pieces_;      // of the current step, the next one last

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "libration/expansion/batch/step_lanes.hpp"
+#include "libration/expansion/step_lanes.hpp"
 #include "libration/series/kernel.hpp"
 
 namespace libration::ode {

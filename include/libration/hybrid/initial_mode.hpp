@@ -7,17 +7,11 @@
 #include <vector>
 
 #include "libration/equation/hybrid_system.hpp"
+#include "libration/hybrid/sliding.hpp"
 
 namespace libration::ode {
 
 class branch_beginning;
-
-/// Why the values of step functions at the beginning of a branch are not known.
-enum class mode_failure {
-    undecided,  ///< it is not decided what one of them is
-    sliding,    ///< on both sides of its surface the solutions lead back to it
-    several     ///< solutions leave the surface on both sides
-};
 
 /// The values of all step functions directly after the beginning of a branch, or the first that is not decided.
 struct initial_mode {
@@ -28,8 +22,8 @@ struct initial_mode {
     mode_failure failure = mode_failure::undecided;
     std::size_t step = 0;
 
-    /// "slides along the surface of `sign(x)`: ...", for messages.
-    std::string reason(const hybrid_system& system) const;
+    /// Of the failure, for messages.
+    std::string reason(const hybrid_system& system) const { return reason_of(failure, system.steps()[step].text); }
 };
 
 /// The function that decides all of them, at the initial point and after each event. A step function whose argument

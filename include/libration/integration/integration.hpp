@@ -5,6 +5,7 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <utility>
 
 #include "libration/integration/rule.hpp"
 
@@ -48,6 +49,16 @@ public:
     /// Another farthest time, in the same direction, for the steps that have not been made yet.
     void aim(ball farthest) { farthest_ = std::move(farthest); }
     long bits() const { return bits_; }
+    /// The number of steps that have been made.
+    std::size_t made() const { return first_ + steps_.size(); }
+    /// The last of them; nullptr before the first one.
+    const step* last_step() const { return steps_.empty() ? nullptr : steps_.back().get(); }
+    const flow_state& start() const { return start_; }
+    /// Other callbacks for the steps that have not been made yet.
+    void call(march_watch watch, step_observer observer) {
+        watch_ = std::move(watch);
+        observer_ = std::move(observer);
+    }
     /// The state at reached().
     flow_state last() const { return steps_.empty() ? start_ : steps_.back()->end(); }
     /// The cost of the steps that have been made.

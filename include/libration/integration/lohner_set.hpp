@@ -5,18 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "libration/algebra/ball_matrix.hpp"
 #include "libration/scalar/ball/magnitude.hpp"
 
 namespace libration::ode {
-
-/// Rows of a square matrix.
-using ball_matrix = std::vector<std::vector<ball>>;
-
-/// The midpoint, rounded to the working precision, as an exact ball.
-ball exact_midpoint(const ball& x);
-
-/// a b.
-ball_matrix product(const ball_matrix& a, const ball_matrix& b);
 
 /// { sum_b B_b x_b + a : |x_b| <= r_b, |a_i| <= e_i }, B_b the columns of a block, one or two of them, with the Euclidean
 /// norm; columns of balls represent each of their matrices. Theorem V has blocks of one: B [-r, r] + [-e, e], and after

@@ -7,9 +7,11 @@
 #include <utility>
 #include <vector>
 
+#include "libration/digits/precision_loop.hpp"
 #include "libration/equation/constant_value.hpp"
 #include "libration/equation/explicit_system.hpp"
 #include "libration/integration/integration.hpp"
+#include "libration/integration/kept_integrations.hpp"
 
 namespace libration::ode {
 
@@ -27,6 +29,14 @@ public:
     proved_march(const explicit_system& system, const std::vector<ball>& start, long bits,
                  long error_bits = usual_error_bits, march_watch watch = {}, const proof_route& route = {});
 
+    /// The same along kept steps, of which at least so many bits are needed, in the direction of time (< 0: backwards). The
+    /// system is that of the part.
+    proved_march(const kept_part& kept, const explicit_system& system, long bits, int direction, march_watch watch = {},
+                 const proof_route& route = {});
+    ~proved_march();
+    proved_march(const proved_march&) = delete;
+    proved_march& operator=(const proved_march&) = delete;
+
     /// The methods and steps are chosen towards this time, in the direction of those that are read; without it, towards
     /// each of them.
     void aim(const number& farthest);
@@ -37,7 +47,7 @@ public:
     std::optional<std::vector<ball>> at(const ball& target);
 
     /// To be called before the first step: the observer is called for each step.
-    void observe(step_observer observer) { observer_ = std::move(observer); }
+    void observe(step_observer observer);
     /// To be called before the first step: the derivative of the flow is kept, dy(t)/dy(t0) for all initial values of
     /// the set; from a singular initial point with respect to its values themselves (singular_step.hpp,
     /// derivative_beyond_start, whose errors at() throws then).
@@ -68,7 +78,8 @@ private:
     march_watch watch_;
     step_observer observer_;
     std::optional<ball> farthest_;
-    std::unique_ptr<integration> along_;
+    kept_integrations* kept_ = nullptr;
+    std::shared_ptr<integration> along_;
     std::size_t now_ = 0;  // the step that is read
     ball reached_;
     long steps_ = 0;

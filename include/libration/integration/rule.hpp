@@ -3,8 +3,6 @@
 
 #include <memory>
 
-#include "libration/digits/precision_loop.hpp"
-#include "libration/equation/explicit_system.hpp"
 #include "libration/integration/step.hpp"
 
 namespace libration::ode {
@@ -37,15 +35,5 @@ enum class error_weights {
     any_width  ///< for a set of any width: the proof ends when no step is found, instead of when an unknown is not
                ///< distinguished from 0
 };
-
-/// The methods of proofs for a system, nested: the series about a singular initial point (theorem S), roots of the
-/// distance from times with roots, Taylor series (theorem V) and collocation (theorem K). From a singular initial point
-/// it begins with start_of() alone. Throws error for such a point that theorem S does not support, and of the subject "integrator" if the route is by collocation, which
-/// does not support this system or precision.
-std::unique_ptr<step_rule> rule_for(const explicit_system& system, const run_bits& bits, const proof_route& route = {},
-                                    error_weights weights = error_weights::relative);
-
-/// The initial point of the system, as the state from which rule_for() begins.
-flow_state start_of(const explicit_system& system, long bits);
 
 }  // namespace libration::ode

@@ -7,7 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "libration/approximant/differential.hpp"
 #include "libration/integration/integrator.hpp"
+#include "libration/number/exact.hpp"
 #include "libration/scalar/dispatch.hpp"
 #include "libration/scalar/error.hpp"
 
@@ -41,6 +43,10 @@ struct request {
     ode::integrator_choice integrator = ode::integrator_choice::automatic;
     /// Called for each step of a proof of states at times; not for the second proof of `check`.
     ode::step_observer observer = {};
+    /// Of a verdict on coefficients: where the singularity is known to be, for the exponent there.
+    std::optional<exact> known_place = {};
+    /// Independent tasks of a verdict on coefficients; one after the other unless given.
+    task_runner run = run_in_order;
 
     long printed_digits() const { return digits > 0 ? digits : scalar.digits; }
 };
@@ -50,7 +56,8 @@ inline request proved_digits(long digits) { return {.scalar = {scalar_kind::prov
 /// Every digit correct to one unit in the last, by runs that agree or by bounds.
 inline request rounded_digits(long digits) { return {.scalar = {scalar_kind::arbitrary, digits}}; }
 
-enum class value_kind { number, whole_number, text };
+/// A list is a JSON array.
+enum class value_kind { number, whole_number, text, list };
 
 /// One value of a result.
 struct answer_value {

@@ -10,15 +10,15 @@
 
 namespace libration {
 
+struct known_value;
 namespace ode {
 struct event_report;
-struct known_value;
 struct partial_trajectory;
 struct proof_route;
 }  // namespace ode
 
 /// With the bound of the decimal or, if no digit is decided, of the value itself.
-answer_value value_in_answer(const ode::known_value& value);
+answer_value value_in_answer(const known_value& value);
 
 /// The states at times, with these names.
 answer answer_of(std::vector<std::string> names, const ode::partial_trajectory& found);

@@ -14,7 +14,7 @@ namespace libration {
 inline constexpr long largest_power_of_series = 1'000'000'000'000'000;
 
 /// The usual order of a radius from coefficients.
-inline constexpr long usual_order_of_radius = 300;
+inline constexpr long usual_order_of_radius = 100;
 
 /// A range of Taylor coefficients about a point.
 struct series_request {

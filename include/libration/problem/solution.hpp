@@ -4,6 +4,7 @@
 //     x->states("1/2, 1", proved_digits(30)).at(0, "x");  // tan(1/2)
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -51,7 +52,9 @@ public:
     virtual void at(std::span<const double> times, std::span<double* const> quantities) const = 0;
 };
 
-/// One solution of one problem. Not for several threads at once.
+/// One solution of one problem. Not for several threads at once. Of equations without events and delays it keeps the steps
+/// of its proved integrations, as far as they fit into 64 MiB in each direction of time: proved states at other times,
+/// events, and coefficients about a time are then read from them, if the digits are not more than before.
 class solution {
 public:
     virtual ~solution() = default;
@@ -126,6 +129,9 @@ public:
     /// what was searched; if none is found there, another that this proves nothing, and the answer is heuristic. Throws
     /// error of the kind undecided if no distance is given and none is found.
     virtual answer singularities(const std::optional<double>& within, const request& how) const = 0;
+
+    /// The steps of kept integrations that have been made up to now; 0 if none are kept.
+    virtual std::size_t steps_made() const { return 0; }
 
 protected:
     virtual answer proved_radius(const series_request& of, const request& how) const = 0;

@@ -12,6 +12,8 @@
 
 namespace libration::ode {
 
+class kept_integrations;
+
 /// The requested coefficients, first .. order, and the system.
 struct coefficient_request {
     explicit_system system;
@@ -44,9 +46,9 @@ struct coefficient_list {
 coefficient_list<mpfr> rounded_coefficients(const scalar_spec& scalar, const coefficient_request& request);
 
 /// `digits` digits each, proved to one unit in the last. Throws error of the subject "point" for a complex point, to
-/// which no path is proved, and like rounded_coefficients.
+/// which no path is proved, and like rounded_coefficients. With kept steps of the system they lead to the point.
 coefficient_list<proved_decimal> proved_coefficients(const coefficient_request& request, long digits,
-                                                     const proof_route& route = {});
+                                                     const proof_route& route = {}, kept_integrations* kept = nullptr);
 
 /// Exact fractions. Throws error of the subject "point" for a point that is not the initial point, and of the subject
 /// "problem" if the system has numbers that are not fractions.

@@ -64,9 +64,11 @@ using event_watch = std::function<void(const ball& reached, long bits, const std
 /// requested if the solution ends before (`missing` has the time up to which it is proved to exist); if `before` comes
 /// first; if the horizon does; if 16 times the first bits, and 4096 of them, do not determine whether g is 0, whether
 /// the initial point is an event, or whether an event is before `before` (`missing` has the proved bounds). A number
-/// that is not distinguished from 0 does not affect the others. Throws other errors.
+/// that is not distinguished from 0 does not affect the others. Throws other errors. With kept steps of the system they
+/// are searched first.
 event_report searched_events(const explicit_system& system, const event_request& request, long digits,
-                             const proof_route& route = {}, const event_watch& watch = {});
+                             const proof_route& route = {}, const event_watch& watch = {},
+                             kept_integrations* kept = nullptr);
 
 /// The same with all requested events and all their digits; throws `missing` otherwise.
 std::vector<printed_event> proved_events(const explicit_system& system, const event_request& request, long digits,

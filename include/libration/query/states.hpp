@@ -34,10 +34,10 @@ struct partial_trajectory {
 /// from run to run, as observed in the runs before). Unknowns that do not influence each other are integrated
 /// separately. An undecided value or time does not affect the others. Throws error if the initial point is singular and
 /// theorem S does not apply to it, for times before a singular initial point, and for an integrator that is not
-/// possible (proved_march). The observer is called for each step of each run.
+/// possible (proved_march). The observer is called for each step of each run; with kept steps for those that are made.
 partial_trajectory proved_part_of_trajectory(const explicit_system& system, const std::vector<number>& times,
                                              long digits, const march_watch& watch = {}, const proof_route& route = {},
-                                             const step_observer& observer = {});
+                                             const step_observer& observer = {}, kept_integrations* kept = nullptr);
 
 /// The same if nothing is missing; otherwise throws the reason.
 std::vector<std::vector<proved_decimal>> proved_trajectory(const explicit_system& system,

@@ -120,6 +120,12 @@ const rules radius_rules{
     {"--prove", "!--problem", "is for differential equations", add_problem},
     {"--order --at --coefficients --scalar", "--prove", not_for_proof},
     {"--plot", "--prove", "draws coefficients, which --prove does not use", leave_one},
+    {"--exact --rounded --audit --predict", "!--coefficients", "is about the numbers of a file",
+     "add --coefficients FILE, or leave it out"},
+    {"--exact", "--rounded", "contradicts --rounded {}", leave_one},
+    {"--audit --predict", "--plot", "prints a table without a figure", leave_one},
+    {"--audit", "--predict", "prints another table than --predict", leave_one},
+    {"--biased", "--prove", not_for_proof},
     {"--check", "!--prove", "compares two proofs and requires --prove", "add it, or leave --check out"},
     {"--coefficients", "--problem", "is given together with --problem", "give one of them"},
     {"--at", "--coefficients", "is a point of a motion, which --coefficients do not have"},
@@ -145,6 +151,9 @@ const rules find_rules{
 };
 
 const rules verify_rules{
+    {"--problem --columns --tolerance --relative --ulp --rounding --inputs", "--coefficients",
+     "is about the rows of a table, not about --coefficients"},
+    {"FILE", "--coefficients", "is given together with --coefficients", leave_one},
     {"--modulo-2pi", "--problem", "has no meaning for --problem"},
     {"--ulp", "--tolerance|--relative", "is given together with --tolerance or --relative", one_of_two},
     {"--tolerance --relative --ulp", "--rounding", "is given together with --rounding, which is another tolerance",

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "list/coefficient_tables.hpp"
+#include "problem/coefficient_tables.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {

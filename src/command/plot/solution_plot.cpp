@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "equation/problem_trajectory.hpp"
 #include "libration/equation/constant_value.hpp"
 #include "libration/scalar/decimal.hpp"
+#include "problem/problem_trajectory.hpp"
 #include "text/members.hpp"
 
 namespace libration {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "equation/problem_options.hpp"
-#include "equation/solution_table.hpp"
 #include "plot/figure_file.hpp"
 #include "plot/plot_options.hpp"
+#include "problem/problem_options.hpp"
+#include "problem/solution_table.hpp"
 #include "text/table.hpp"
 
 namespace libration {

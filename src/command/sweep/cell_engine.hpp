@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "journal/journal.hpp"
-#include "journal/journal_writer.hpp"
+#include "journal.hpp"
+#include "journal_writer.hpp"
 #include "sweep/study_order.hpp"
 
 namespace libration {

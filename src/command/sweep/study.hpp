@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "equation/swept_problem.hpp"
 #include "libration/problem/problem_family.hpp"
+#include "problem/swept_problem.hpp"
 #include "run/progress.hpp"
 #include "sweep/study_plan.hpp"
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "journal/journal.hpp"
+#include "journal.hpp"
 #include "sweep/cell_engine.hpp"
 
 namespace libration {

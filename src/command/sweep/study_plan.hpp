@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "journal/cell_text.hpp"
+#include "cell_text.hpp"
 #include "libration/scalar/dispatch.hpp"
 #include "text/table.hpp"
 

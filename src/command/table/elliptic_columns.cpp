@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "libration/number/written_number.hpp"
-#include "motion/motion_cells.hpp"
+#include "problem/motion_cells.hpp"
 #include "table/elliptic_request.hpp"
 #include "text/csv_records.hpp"
 #include "text/input_error.hpp"
@@ -19,14 +19,14 @@ using namespace elliptic;
 namespace {
 
 constexpr std::array<const char*, 6> modulus_columns{"k", "m", "m1", "alpha", "alpha_deg", "q"};
-constexpr std::array<const char*, 7> input_columns{"u", "u_re", "u_im", "phi", "x", "z", "n"};
+constexpr std::array<const char*, 7> argument_columns{"u", "u_re", "u_im", "phi", "x", "z", "n"};
 
 }  // namespace
 
 std::vector<known_column> elliptic_columns::known() {
     std::vector<known_column> columns;
-    columns.reserve(input_columns.size() + modulus_columns.size());
-    for (const char* const name : input_columns) {
+    columns.reserve(argument_columns.size() + modulus_columns.size());
+    for (const char* const name : argument_columns) {
         columns.push_back({name});
     }
     for (const char* const name : {"k", "m", "m1", "q"}) {

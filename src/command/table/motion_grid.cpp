@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "libration/number/grid.hpp"
-#include "motion/motion_options.hpp"
+#include "problem/motion_options.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "motion/motion_cells.hpp"
+#include "problem/motion_cells.hpp"
 #include "text/point_file.hpp"
 
 namespace libration {

@@ -18,7 +18,7 @@ using namespace pendulum;
 
 namespace {
 
-using rows = std::vector<table_row_cells>;
+using rows_of_motion = std::vector<table_row_cells>;
 
 // On the separatrix omega decreases like exp(-t), below every exponent.
 proved_states::state_text state_at(proved_states& states, const exact& time, const std::string& typed) {
@@ -122,11 +122,11 @@ public:
           states_(of_.of, digits),
           conditions_(of_) {}
 
-    rows all() {
+    rows_of_motion all() {
         const auto front = front_cells();
         const auto constants =
             states_.constants({motion_constant::period, motion_constant::effective_period, motion_constant::radius});
-        rows result;
+        rows_of_motion result;
         result.reserve(block_.times.size());
         for (const exact& time : block_.times) {
             const auto state = state_at(states_, time, block_.said);
@@ -230,7 +230,7 @@ table motion_table(const option_words& said, long digits, input_style style, int
         return motion_rows(points.blocks[i], points, digits, style).all();
     });
     table data(columns_of(points, style));
-    for (const rows& part : parts) {
+    for (const rows_of_motion& part : parts) {
         for (const table_row_cells& row : part) {
             data.add_row(row);
         }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "equation/problem_trajectory.hpp"
 #include "libration/problem/axis.hpp"
+#include "problem/problem_trajectory.hpp"
 
 namespace libration {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "equation/problem_options.hpp"
 #include "option/option_words.hpp"
+#include "problem/problem_options.hpp"
 #include "table/motion_table.hpp"
 #include "text/table.hpp"
 

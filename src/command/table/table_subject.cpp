@@ -1,8 +1,8 @@
 // The subjects of tables: motions, elliptic functions, and problems.
 #include <utility>
 
-#include "equation/problem_trajectory.hpp"
-#include "equation/swept_problem.hpp"
+#include "problem/problem_trajectory.hpp"
+#include "problem/swept_problem.hpp"
 #include "table/elliptic_request.hpp"
 #include "table/function_table.hpp"
 #include "table/problem_table.hpp"
@@ -13,10 +13,10 @@ namespace libration {
 
 namespace {
 
-constexpr const char* motions = "pendulum";
+constexpr const char* motions_word = "pendulum";
 class motion_subject : public table_subject {
 public:
-    std::string words() const override { return std::string(" ") + motions; }
+    std::string words() const override { return std::string(" ") + motions_word; }
     std::string title() const override { return "Reference values of the pendulum theta'' + sin theta = 0."; }
     table rows(const option_words& said, long digits, input_style style, int jobs) const override {
         return motion_table(said, digits, style, jobs);
@@ -63,7 +63,7 @@ std::shared_ptr<const table_subject> table_subject_named(const std::string& what
     if (what.empty()) {
         throw input_error("table is of nothing: name pendulum, functions as in am,sn, or add --problem P");
     }
-    if (what == motions) {
+    if (what == motions_word) {
         return std::make_shared<motion_subject>();
     }
     functions_of(what);

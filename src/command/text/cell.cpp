@@ -45,6 +45,12 @@ long significant_digits(const std::string& decimal) {
 
 }  // namespace
 
+cell cell::list(std::string json) {
+    cell made(std::move(json));
+    made.kind_ = made.is_empty() ? cell_kind::empty : cell_kind::list;
+    return made;
+}
+
 cell cell::number(std::string decimal, long digits) {
     cell result(std::move(decimal));
     result.kind_ = result.is_empty() ? cell_kind::empty : cell_kind::number;

@@ -13,7 +13,7 @@
 namespace libration {
 
 /// What a cell holds.
-enum class cell_kind { empty, text, whole, number };
+enum class cell_kind { empty, text, whole, number, list };
 
 /// A cell. Words become text, integers whole numbers; decimals are made by the functions below, which say how many
 /// digits they have.
@@ -31,6 +31,8 @@ public:
 
     /// A number as a decimal (1.71, -1.5e-300, inf, -inf, nan) with so many significant digits.
     static cell number(std::string decimal, long digits);
+    /// A JSON array, which only JSON shows as such.
+    static cell list(std::string json);
 
     cell_kind kind() const { return kind_; }
     bool is_empty() const { return kind_ == cell_kind::empty; }

@@ -85,6 +85,37 @@ table table::with_columns(const std::vector<std::size_t>& places) const {
     return result;
 }
 
+table table::without_lists() const {
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+        if (std::ranges::none_of(rows_, [&](const auto& row) { return row[i].kind() == cell_kind::list; })) {
+            places.push_back(i);
+        }
+    }
+    return with_columns(places);
+}
+
+table table_of_list(const cell& list) {
+    table data;
+    for (const auto& item : nlohmann::ordered_json::parse(list.text())) {
+        if (data.columns().empty()) {
+            std::vector<std::string> names;
+            for (const auto& member : item.items()) {
+                names.push_back(member.key());
+            }
+            data = table(named_columns(names));
+        }
+        table_row_cells row;
+        for (const auto& member : item.items()) {
+            const auto& value = member.value();
+            row.push_back(value.is_null() ? cell()
+                                          : read_cell(value.is_string() ? value.get<std::string>() : value.dump()));
+        }
+        data.add_row(std::move(row));
+    }
+    return data;
+}
+
 table stacked(const std::vector<table>& parts) {
     if (parts.empty()) {
         throw std::logic_error("no table to stack");
@@ -179,7 +210,9 @@ std::string to_json(const table& data) {
         nlohmann::ordered_json object;
         for (std::size_t i = 0; i < row.size(); ++i) {
             auto& value = object[data.columns()[i].name];
-            if (!row[i].is_empty()) {
+            if (row[i].kind() == cell_kind::list) {
+                value = nlohmann::ordered_json::parse(row[i].text());
+            } else if (!row[i].is_empty()) {
                 value = row[i].text();
             }
         }

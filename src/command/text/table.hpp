@@ -42,6 +42,8 @@ public:
     void append(const table& below);
     /// The columns of these places alone, in this order.
     table with_columns(const std::vector<std::size_t>& places) const;
+    /// The columns that hold no JSON arrays.
+    table without_lists() const;
 
 private:
     std::vector<column> columns_;
@@ -135,6 +137,9 @@ table make_table(const column_list<Row>& columns, const std::vector<Row>& rows) 
 
 /// One header line, one line per row, no comments.
 std::string to_csv(const table& data);
+
+/// The objects of a cell that is a JSON array, as rows under their keys.
+table table_of_list(const cell& list);
 
 /// The CSV of a table that is too long to be held: row by row into a file, with these of its columns.
 class csv_stream {

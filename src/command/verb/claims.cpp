@@ -5,9 +5,9 @@
 #include <memory>
 #include <optional>
 
-#include "claims/claim.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
+#include "paper/claims/claim.hpp"
 #include "sweep/study_order.hpp"
 #include "text/input_error.hpp"
 

@@ -4,10 +4,10 @@
 #include <memory>
 
 #include "libration/scalar/whole_number.hpp"
-#include "motion/point_options.hpp"
-#include "motion/solution_options.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
+#include "problem/point_options.hpp"
+#include "problem/solution_options.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {

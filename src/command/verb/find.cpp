@@ -6,19 +6,19 @@
 #include <memory>
 #include <utility>
 
-#include "equation/certificate_file.hpp"
-#include "equation/problem_options.hpp"
-#include "equation/swept_problem.hpp"
-#include "find/found_solutions.hpp"
-#include "find/solution_branches.hpp"
+#include "found_solutions.hpp"
 #include "libration/number/grid.hpp"
 #include "libration/problem/find.hpp"
 #include "libration/problem/known_facts.hpp"
 #include "option/options.hpp"
 #include "option/output_place.hpp"
 #include "option/subcommand.hpp"
+#include "problem/certificate_file.hpp"
+#include "problem/problem_options.hpp"
+#include "problem/swept_problem.hpp"
 #include "run/ending_signal.hpp"
 #include "run/progress.hpp"
+#include "solution_branches.hpp"
 #include "text/input_error.hpp"
 #include "text/quotation.hpp"
 

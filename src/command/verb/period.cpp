@@ -3,10 +3,10 @@
 
 #include <memory>
 
-#include "motion/motion_options.hpp"
-#include "motion/period_table.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
+#include "problem/motion_options.hpp"
+#include "problem/period_table.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "equation/problem_options.hpp"
 #include "libration/equation/text/parse.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "libration/scalar/near_word.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
+#include "problem/problem_options.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {

@@ -2,20 +2,27 @@
 // bounds.
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <functional>
 #include <memory>
 #include <utility>
 
-#include "equation/answer_table.hpp"
+#include "libration/number/grid.hpp"
 #include "libration/problem/radius_answer.hpp"
-#include "list/coefficient_file.hpp"
-#include "motion/point_options.hpp"
-#include "motion/solution_options.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
 #include "plot/coefficient_plot.hpp"
 #include "plot/plot_options.hpp"
+#include "problem/answer_table.hpp"
+#include "problem/coefficient_file.hpp"
+#include "problem/list_audit.hpp"
+#include "problem/point_options.hpp"
+#include "problem/solution_options.hpp"
 #include "run/ending_signal.hpp"
+#include "run/parallel.hpp"
 #include "run/progress.hpp"
+#include "sweep/study_files.hpp"
+#include "sweep/study_order.hpp"
 #include "text/input_error.hpp"
 #include "text/quotation.hpp"
 
@@ -31,8 +38,20 @@ struct radius_options {
     point_options point;
     std::optional<std::string> order;
     std::optional<std::string> file;
-    bool prove = false, check = false;
+    std::optional<std::string> predict, biased, rounded;
+    bool prove = false, check = false, audit = false, exact = false;
 };
+
+// How the decimals of the list are to be read; std::nullopt if that follows from their digits.
+std::optional<long> rounding_by(const radius_options& options) {
+    if (options.exact) {
+        return 0;
+    }
+    return !options.rounded ? std::nullopt
+                            : std::optional<long>(reading("--rounded", *options.rounded,
+                                                          "write the number of correct digits, 1 to 1000",
+                                                          [&] { return read_count(*options.rounded, 1000); }));
+}
 
 convergence::listed_series listed_part(const radius_options& options, const arithmetic& numbers,
                                        std::vector<exact> written) {
@@ -52,7 +71,9 @@ convergence::listed_series listed_part(const radius_options& options, const arit
     for (const exact& number : written) {
         values.push_back(from_exact<mpfr>(number));
     }
-    return {series::power_series<mpfr>(std::move(values)), std::move(written)};
+    convergence::listed_series list{series::power_series<mpfr>(std::move(values)), std::move(written)};
+    list.rounded = rounding_by(options);
+    return list;
 }
 
 std::vector<unknown_series> lists_of_file(const radius_options& options, const arithmetic& numbers) {
@@ -67,6 +88,22 @@ std::vector<unknown_series> lists_of_file(const radius_options& options, const a
     return lists;
 }
 
+task_runner on_all_cores() {
+    return [](std::size_t count, const std::function<void(std::size_t)>& work) {
+        on_threads(count, jobs_of(std::nullopt), work);
+    };
+}
+
+request heuristic_request(const radius_options& options, const arithmetic& numbers) {
+    request how{.scalar = numbers.scalar, .digits = numbers.digits};
+    how.run = on_all_cores();
+    if (options.biased) {
+        how.known_place = reading("--biased", *options.biased, "write a number such as 0.379 or sqrt(2)-1",
+                                  [&] { return read_exact(*options.biased); });
+    }
+    return how;
+}
+
 // The results of the tests, and the coefficients if they are drawn.
 struct tested_series {
     answer found;
@@ -78,7 +115,7 @@ tested_series radius_of_solution(const radius_options& options, const arithmetic
     series_request request{.order = order_of("--order", options.order ? *options.order : *chosen.usual_order)};
     options.point.complete(request, chosen);
     return options.point.asking_about([&] {
-        tested_series tested{chosen.of->radius(request, {.scalar = numbers.scalar, .digits = numbers.digits})};
+        tested_series tested{chosen.of->radius(request, heuristic_request(options, numbers))};
         if (with_coefficients) {
             tested.drawn = chosen.of->coefficient_lists(request, numbers.scalar);
         }
@@ -88,19 +125,40 @@ tested_series radius_of_solution(const radius_options& options, const arithmetic
 
 tested_series radius_of_file(const radius_options& options, const arithmetic& numbers) {
     auto lists = lists_of_file(options, numbers);
-    auto found = radius_answer(lists, std::nullopt, {.scalar = numbers.scalar, .digits = numbers.digits});
+    auto found = radius_answer(lists, std::nullopt, heuristic_request(options, numbers));
     return {std::move(found), std::move(lists)};
 }
 
 // The columns that the text shows, below the verdict in words.
 std::string text_of(const answer& found, const table& data) {
-    const std::size_t last = data.columns().size() - 1;
-    const bool several = found.names.back() == "unknown";
-    const table shown = data.with_columns(several ? std::vector<std::size_t>{last, 0, 1, 2, 9}
+    constexpr std::size_t unknown = 13;
+    const bool several = found.names[unknown] == "unknown";
+    const table shown = data.with_columns(several ? std::vector<std::size_t>{unknown, 0, 1, 2, 9}
                                                   : std::vector<std::size_t>{0, 1, 2, 4, 9});
     const table tests(shown.columns(), {shown.rows().begin() + 1, shown.rows().end()});
     return lines_of_notes(found) + "\n" + to_text(tests) +
            "\nheuristic estimate: finitely many coefficients cannot prove a radius\n";
+}
+
+// The history and the ring of the verdict as further files: NAME_history.csv and NAME_ring.csv beside NAME.csv.
+void write_lists(const table& data, const std::string& file) {
+    namespace fs = std::filesystem;
+    const fs::path path(file);
+    for (std::size_t i = 0; i < data.columns().size(); ++i) {
+        const cell& list = data.rows().front()[i];
+        if (list.kind() == cell_kind::list) {
+            const auto name = path.stem().string() + "_" + data.columns()[i].name + path.extension().string();
+            write_into((path.parent_path() / name).string(), to_csv(table_of_list(list)));
+        }
+    }
+}
+
+void write_results(const output_options& output, const answer& found, const table& data) {
+    const bool nested = output.format() == "json";
+    output.write(nested ? data : data.without_lists(), text_of(found, data));
+    if (output.file() && output.format() == "csv") {
+        write_lists(data, *output.file());
+    }
 }
 
 // Lower and upper bound, by discs and loops instead of coefficients.
@@ -128,10 +186,43 @@ int prove_radius(const radius_options& options) {
     return 0;
 }
 
+convergence::series_list list_to_audit(const radius_options& options) {
+    const auto order =
+        options.order ? std::optional(static_cast<std::size_t>(order_of("--order", *options.order))) : std::nullopt;
+    return real_list_in(*options.file, rounding_by(options), order);
+}
+
+// The coefficient that the others contradict.
+int audit_list(const radius_options& options, const arithmetic& numbers) {
+    const auto verdict = convergence::verdict_on(list_to_audit(options), on_all_cores());
+    table data = table_of_suspect(verdict, numbers.digits);
+    options.output.write(data, text_of_suspect(verdict, data));
+    return verdict.suspect ? 1 : 0;
+}
+
+int predict_coefficients(const radius_options& options, const arithmetic& numbers) {
+    constexpr int most = 1000;
+    const int count = reading("--predict", *options.predict, "write how many further coefficients",
+                              [&] { return read_count(*options.predict, most); });
+    const auto list = list_to_audit(options);
+    const auto found = convergence::predictions_for(list, count, on_all_cores());
+    options.output.write(table_of_predictions(found, numbers.digits));
+    if (static_cast<int>(found.size()) < count) {
+        throw error(error_kind::undecided, "coefficient",
+                    std::to_string(list.order() + 1 + static_cast<int>(found.size())),
+                    "is not predicted: fewer than three differential approximants exist");
+    }
+    return 0;
+}
+
 int run_radius(const radius_options& options) {
     options.output.check();
     if (options.prove) {
         return prove_radius(options);
+    }
+    if (options.audit || options.predict) {
+        const arithmetic numbers = options.arithmetic.choose();
+        return options.audit ? audit_list(options, numbers) : predict_coefficients(options, numbers);
     }
     const auto figure = options.plot.file(options.output);
     const arithmetic numbers = options.arithmetic.choose();
@@ -142,7 +233,7 @@ int run_radius(const radius_options& options) {
         figure->draw(
             coefficient_plot(tested.drawn, tested.found, "Radius of convergence from coefficients", figure_digits));
     }
-    table_output(options.output, figure).write(data, text_of(tested.found, data));
+    write_results(table_output(options.output, figure), tested.found, data);
     return 0;
 }
 
@@ -160,6 +251,19 @@ subcommand radius_command(CLI::App& program) {
     options->plot.add_to(*command, "ratios, roots and Pade poles of the coefficients");
     command->add_option("--order", options->order, "last power N (default for a file: all of its coefficients)")
         ->type_name("N");
+    command->add_flag("--exact", options->exact, "take the decimals of --coefficients as exact numbers");
+    command
+        ->add_option(
+            "--rounded", options->rounded,
+            "take the decimals of --coefficients as rounded to D significant digits (default: rounded if all have "
+            "the same number of digits, 17 or more; exact otherwise)")
+        ->type_name("D");
+    command->add_option("--biased", options->biased, "also the exponent if the singularity is known to be at X")
+        ->type_name("X");
+    command->add_flag("--audit", options->audit,
+                      "search --coefficients for one that the others contradict; exit 1 if there is one");
+    command->add_option("--predict", options->predict, "print K further coefficients, each with an uncertainty")
+        ->type_name("K");
     command->add_flag("--prove", options->prove,
                       "proved lower and upper bounds that agree to --digits D (theorems L and C)");
     command->add_flag("--check", options->check,

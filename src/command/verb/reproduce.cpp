@@ -10,15 +10,15 @@
 #include <mutex>
 #include <thread>
 
-#include "claims/claim.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
-#include "report/publish.hpp"
-#include "report/reference_set.hpp"
-#include "report/report.hpp"
-#include "report/reproduce_set.hpp"
-#include "report/results_comparison.hpp"
-#include "report/unfinished_run.hpp"
+#include "paper/claims/claim.hpp"
+#include "paper/report/publish.hpp"
+#include "paper/report/reference_set.hpp"
+#include "paper/report/report.hpp"
+#include "paper/report/reproduce_set.hpp"
+#include "paper/report/results_comparison.hpp"
+#include "paper/report/unfinished_run.hpp"
 #include "run/shared_cores.hpp"
 #include "sweep/study_files.hpp"
 #include "sweep/study_order.hpp"

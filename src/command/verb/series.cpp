@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <memory>
 
-#include "list/list_tables.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
+#include "problem/list_tables.hpp"
 #include "run/working_folder.hpp"
 #include "sweep/study_figures.hpp"
 #include "sweep/study_files.hpp"

@@ -4,14 +4,14 @@
 #include <initializer_list>
 #include <memory>
 
-#include "equation/answer_table.hpp"
-#include "equation/problem_options.hpp"
 #include "libration/equation/constant_value.hpp"
 #include "libration/scalar/decimal.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
 #include "plot/plot_options.hpp"
 #include "plot/singularity_plot.hpp"
+#include "problem/answer_table.hpp"
+#include "problem/problem_options.hpp"
 #include "run/ending_signal.hpp"
 #include "run/progress.hpp"
 #include "text/input_error.hpp"

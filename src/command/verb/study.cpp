@@ -9,10 +9,10 @@
 #include <memory>
 #include <utility>
 
-#include "equation/problem_options.hpp"
 #include "libration/number/grid.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
+#include "problem/problem_options.hpp"
 #include "run/progress.hpp"
 #include "sweep/named_order.hpp"
 #include "sweep/study_files.hpp"

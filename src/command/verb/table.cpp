@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <memory>
 
-#include "equation/problem_options.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
+#include "problem/problem_options.hpp"
 #include "sweep/study_files.hpp"
 #include "sweep/study_order.hpp"
 #include "table/elliptic_request.hpp"

@@ -7,17 +7,17 @@
 #include <memory>
 #include <tuple>
 
-#include "equation/integrator_options.hpp"
-#include "equation/problem_options.hpp"
-#include "equation/problem_trajectory.hpp"
 #include "libration/problem/known/pendulum_solution.hpp"
-#include "motion/family_trajectory.hpp"
-#include "motion/motion_options.hpp"
-#include "motion/trajectory_points.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
 #include "plot/plot_options.hpp"
 #include "plot/solution_plot.hpp"
+#include "problem/family_trajectory.hpp"
+#include "problem/integrator_options.hpp"
+#include "problem/motion_options.hpp"
+#include "problem/problem_options.hpp"
+#include "problem/problem_trajectory.hpp"
+#include "problem/trajectory_points.hpp"
 #include "run/progress.hpp"
 #include "sweep/study_order.hpp"
 #include "text/input_error.hpp"

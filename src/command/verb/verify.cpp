@@ -8,10 +8,11 @@
 #include <iterator>
 #include <memory>
 
-#include "equation/problem_options.hpp"
-#include "motion/motion_options.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
+#include "problem/list_audit.hpp"
+#include "problem/motion_options.hpp"
+#include "problem/problem_options.hpp"
 #include "run/ending_signal.hpp"
 #include "run/parallel.hpp"
 #include "sweep/study_order.hpp"
@@ -30,6 +31,7 @@ struct verify_options {
     motion_options motion;
     problem_options problem;
     std::string file;
+    std::optional<std::string> coefficients;
     std::optional<std::string> tolerance, relative, ulps, columns;
     bool modulo_turn = false, rounding = false;
     std::optional<std::string> inputs;
@@ -186,7 +188,25 @@ compare_rules rules_of(const verify_options& options) {
             options.modulo_turn};
 }
 
+// A list of coefficients has no rows to compare with a truth, but they have to agree with each other.
+int verify_list(const verify_options& options) {
+    const auto verdict = convergence::verdict_on(real_list_in(*options.coefficients, std::nullopt));
+    const table data = table_of_suspect(verdict, defaults::digits);
+    row_target target(options.out);
+    target.write(options.format == "json" ? to_json(data) : to_csv(data));
+    target.finish();
+    fmt::print(stderr, "{}", text_of_suspect(verdict, data));
+    return verdict.suspect ? 1 : 0;
+}
+
 int run_verify(const verify_options& options) {
+    if (options.file.empty() && !options.coefficients) {
+        throw input_error("no FILE is given: name a table, or a list by --coefficients LIST");
+    }
+    if (options.coefficients) {
+        rules_of(options);
+        return verify_list(options);
+    }
     compare_rules rules = rules_of(options);
     const int jobs = jobs_of(options.jobs);  // complains before a file is read
     const auto subject = row_subject_of(options.problem, options.motion, rules);
@@ -216,13 +236,16 @@ subcommand verify_command(CLI::App& program) {
     const auto options = std::make_shared<verify_options>();
     CLI::App* command = program.add_subcommand(
         "verify", "compare a table of theta at times, or of elliptic functions, row by row with proved values");
+    command->add_option(
+        "FILE", options->file,
+        "columns time, theta, optionally omega, and a motion: theta0 and omega0, gap or energy, optionally "
+        "direction, length and gravity; or u (phi, x), m (m1, k) and am, sn, cn, dn, K, F, ..., complex u "
+        "as 1+2i or in u_re and u_im with sn_re and sn_im, ...; - for stdin");
     command
-        ->add_option(
-            "FILE", options->file,
-            "columns time, theta, optionally omega, and a motion: theta0 and omega0, gap or energy, optionally "
-            "direction, length and gravity; or u (phi, x), m (m1, k) and am, sn, cn, dn, K, F, ..., complex u "
-            "as 1+2i or in u_re and u_im with sn_re and sn_im, ...; - for stdin")
-        ->required();
+        ->add_option("--coefficients", options->coefficients,
+                     "a list of coefficients instead of a table: search for one that the others contradict; exit 1 if "
+                     "there is one")
+        ->type_name("LIST");
     options->motion.add_to(*command);
     options->problem.add_to(*command);
     command

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "libration/verification/motion_truths.hpp"
-#include "motion/motion_cells.hpp"
+#include "problem/motion_cells.hpp"
 #include "verify/row_question.hpp"
 
 namespace libration {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "motion/motion_cells.hpp"
+#include "problem/motion_cells.hpp"
 #include "text/csv_records.hpp"
 #include "text/input_error.hpp"
 #include "text/quotation.hpp"

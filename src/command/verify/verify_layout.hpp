@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "equation/problem_options.hpp"
 #include "libration/verification/compare_rules.hpp"
-#include "motion/motion_options.hpp"
+#include "problem/motion_options.hpp"
+#include "problem/problem_options.hpp"
 #include "verify/row_question.hpp"
 
 namespace libration {

@@ -32,6 +32,7 @@ request digits_by(long digits, int rigour) {
 libration_number number_of(const answer_value& value, const std::string& rigour) {
     switch (value.kind) {
         case value_kind::whole_number: return {value.text, "0", LIBRATION_PROVED};
+        case value_kind::list:
         case value_kind::text: return typed_number(value.text);
         case value_kind::number: break;
     }

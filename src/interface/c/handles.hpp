@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -50,6 +51,12 @@ struct libration_problem {
 
     /// Throws error of the subject "problem" for other equations.
     const libration::ode::explicit_system& system() const;
+};
+
+struct libration_solution {
+    libration_problem of;
+    std::unique_ptr<libration::solution> kept = {};  ///< null before the first question, and after a failure
+    std::unique_ptr<std::mutex> guard = std::make_unique<std::mutex>();
 };
 
 struct libration_steps {

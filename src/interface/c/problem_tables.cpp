@@ -25,7 +25,7 @@ std::size_t place_of(const answer& found, const std::string& name) {
 }
 
 void add_heuristic(libration_table& table, const answer_value& value, const std::string& uncertainty) {
-    if (value.text.empty() || value.kind == value_kind::text) {
+    if (value.text.empty() || value.kind == value_kind::text || value.kind == value_kind::list) {
         table.add(value.text);
     } else if (value.kind == value_kind::whole_number) {
         table.add(typed_number(value.text));
@@ -52,7 +52,13 @@ libration_table table_of_radii(const answer& found, const std::string& usual) {
                                                    {"exponent", "exponent", "exponent_uncertainty"},
                                                    {"kind", "kind"},
                                                    {"count", "count"},
-                                                   {"note", "note"}};
+                                                   {"note", "note"},
+                                                   {"bound", "bound"},
+                                                   {"gevrey", "gevrey"},
+                                                   {"action", "action"},
+                                                   {"suspect", "suspect"},
+                                                   {"history", "history"},
+                                                   {"ring", "ring"}};
     libration_table table{{"method", "unknown"}, {}};
     std::ranges::transform(columns, std::back_inserter(table.names), &shown_column::name);
     const std::size_t unknown = place_of(found, "unknown");

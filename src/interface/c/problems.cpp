@@ -2,7 +2,6 @@
 #include <optional>
 #include <stdexcept>
 
-#include "answers.hpp"
 #include "find_arguments.hpp"
 #include "guarded.hpp"
 #include "libration/number/given_number.hpp"
@@ -11,6 +10,7 @@
 #include "libration/problem/solution.hpp"
 #include "libration/query/sets/solution_sets.hpp"
 #include "problem_tables.hpp"
+#include "solution_answers.hpp"
 
 namespace libration::c {
 
@@ -44,20 +44,6 @@ problem problem_of(const libration_problem* p) { return problem(given(p, "proble
 // A separate solution for each call: one in which memory ran out is not used again.
 std::unique_ptr<solution> solution_of(const libration_problem* p, const settings& by = {}) {
     return solve(problem_of(p), by);
-}
-
-series_request request_of(const char* point, const char* corners, long first, long last) {
-    require_powers(first, last);
-    if (is_given(corners) && !is_given(point)) {
-        throw error(error_kind::argument, "corners", corners, "are a path to a point, and no point is given");
-    }
-    series_request request{.first = first, .order = last, .about = is_given(point) ? point : ""};
-    if (is_given(corners)) {
-        for (const std::string& each : items_of(corners, "corners")) {
-            request.corners.push_back(point_in(each));
-        }
-    }
-    return request;
 }
 
 // The distance within which singularities are searched, if one is given.
@@ -193,14 +179,7 @@ int libration_problem_limits(const libration_problem* problem, long digits, libr
 
 int libration_problem_events(const libration_problem* problem, const char* condition, long count, long digits,
                              libration_table** events) {
-    return partly_made(events, [&] {
-        if (count < 1) {
-            throw error(error_kind::argument, "number of events", std::to_string(count), "is less than 1");
-        }
-        const answer found =
-            solution_of(problem)->events(text_of(condition, "condition"), count, proved_digits(given_digits(digits)));
-        return known_states{table_of_numbers(found), found.missing};
-    });
+    return partly_made(events, [&] { return events_of(*solution_of(problem), condition, count, digits); });
 }
 
 int libration_problem_find(const libration_problem* problem, const char* unknowns, const char* conditions, long digits,

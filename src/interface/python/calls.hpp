@@ -26,6 +26,9 @@ struct motion_object {
 struct problem_object {
     owned::problem handle;
 };
+struct solution_object {
+    owned::solution handle;
+};
 struct sampler_object {
     owned::sampler handle;
 };

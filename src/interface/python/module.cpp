@@ -5,6 +5,7 @@
 #include <array>
 
 #include "calls.hpp"
+#include "solutions.hpp"
 
 namespace {
 
@@ -335,4 +336,5 @@ PYBIND11_MODULE(_libration, m) {
         .def("exact", &number_object::exact);
     define_motions(m);
     define_problems(m);
+    define_solutions(m);
 }

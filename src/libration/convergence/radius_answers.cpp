@@ -1,10 +1,13 @@
 #include "libration/convergence/radius_answers.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <utility>
 
+#include "libration/convergence/coefficient_floor.hpp"
 #include "libration/convergence/coefficient_noise.hpp"
-#include "libration/convergence/list_report.hpp"
+#include "libration/convergence/radius_report.hpp"
 #include "libration/convergence/root_variable.hpp"
 #include "libration/scalar/decimal.hpp"
 
@@ -41,38 +44,114 @@ mpfr printed_uncertainty(const radius_estimate<mpfr>& estimate, long digits) {
     return estimate.uncertainty + pow(mpfr(10), last_place);
 }
 
-// The report on a list from a file, which may end in a noise floor; a motion's coefficients are correct to the last
-// digit.
+// The coefficients as the tests in T take them, and a verdict on them.
 template <class T>
-list_report<T> report_in(const listed_series& list) {
-    if (!list.written.empty()) {
-        return report_on_list<T>(list.coefficients, noise_of<T>(list.written));
+struct judged_list {
+    coefficient_unit unit;
+    series::power_series<T> scaled;
+    list_verdict verdict;  // in that unit
+};
+
+double as_double(const mpfr& x) { return x.convert_to<double>(); }
+
+// The verdict on these values, or on those that T holds.
+template <class T>
+judged_list<T> judged(const series::power_series<mpfr>& a, double noise, double zero, bool as_written,
+                      const task_runner& run) {
+    judged_list<T> found{unit_of(a), series::power_series<T>::zero(0), {}};
+    found.scaled = in_unit_of<T>(a, found.unit);
+    series_list list{{}, noise, zero};
+    if (as_written) {
+        const precision_scope scope(decimal_digits(bits_for(a.order()) + 32));
+        list.values = in_unit_of<mpfr>(a, found.unit).coefficients();
+    } else {
+        std::ranges::transform(found.scaled.coefficients(), std::back_inserter(list.values),
+                               [](const T& value) { return widen(value); });
     }
-    const coefficient_unit unit = unit_of(list.coefficients);
-    return {report_on_radius(in_unit_of<T>(list.coefficients, unit), epsilon<T>()), unit, std::nullopt};
+    found.verdict = verdict_on(list, run);
+    return found;
+}
+
+// Of a list from a file, which may end in a noise floor; a motion's coefficients are correct to the last digit.
+template <class T>
+judged_list<T> judged_part(const listed_series& list, std::string& floor_text, const task_runner& run) {
+    if (list.written.empty()) {
+        const double rounding = as_double(widen(epsilon<T>()));
+        return judged<T>(list.coefficients, rounding, rounding, false, run);
+    }
+    const series_list written = as_written(list);
+    const series::power_series<mpfr> a(written.values);
+    const auto floor = written.zero > 0 ? floor_of(list.coefficients) : std::nullopt;
+    if (!floor) {
+        return judged<T>(a, written.noise, written.zero, true, run);
+    }
+    floor_text = text_of(*floor);
+    std::optional<judged_list<T>> best;
+    const auto relative = [](const list_verdict& v) {
+        return v.radius ? as_double(mpfr(v.uncertainty / *v.radius)) : 2.0;
+    };
+    for (const int times : {16, 256, 4096}) {
+        auto found = judged<T>(above_floor(a, *floor, times), written.noise, written.zero, true, run);
+        if (!best || relative(found.verdict) < relative(best->verdict)) {
+            best = std::move(found);
+        }
+    }
+    return *std::move(best);
+}
+
+void scale_lengths(list_verdict& verdict, const mpfr& unit) {
+    const auto scale = [&](complex_number<mpfr>& z) { z = z * unit; };
+    if (verdict.radius) {
+        *verdict.radius *= unit;
+        verdict.uncertainty *= unit;
+    }
+    if (verdict.position) {
+        scale(*verdict.position);
+    }
+    for (auto& member : verdict.ring) {
+        scale(member.position);
+        member.uncertainty *= unit;
+    }
+    if (verdict.action) {
+        scale(*verdict.action);
+        verdict.action_uncertainty *= unit;
+    }
+    for (auto& each : verdict.history) {
+        each.radius *= unit;
+        each.uncertainty *= unit;
+    }
+    for (auto& each : verdict.family) {
+        each = {each.real() * as_double(unit), each.imag()};
+    }
+    if (verdict.suspect) {
+        const mpfr power = pow(unit, -verdict.suspect->index);
+        verdict.suspect->predicted *= power;
+        verdict.suspect->uncertainty *= power;
+    }
 }
 
 template <class T>
-radius_answers answers_in(const listed_series& list, int root) {
-    const list_report<T> found = report_in<T>(list);
-    const radius_report<T>& report = found.report;
-    radius_answers answers{report.pattern, found.floor_text(), {}};
-    const auto in_variable = [&](const auto& estimate) {
-        return in_powers_of_root(in_unit(widened(estimate), found.unit.length), root);
-    };
-    answers.rows.reserve(report.tests.size() + 1);
+radius_answers answers_in(const listed_series& list, int root, const task_runner& run) {
+    radius_answers answers;
+    judged_list<T> found = judged_part<T>(list, answers.floor, run);
+    const T noise = list.written.empty() ? epsilon<T>() : noise_of<T>(list.written);
+    const auto report = report_on_radius(found.scaled, noise);
+    answers.verdict = std::move(found.verdict);
     // The radius may be out of the range of T even if the coefficients are not.
     const precision_scope scope(decimal_digits(digits<T>()) + radius_guard_digits);
-    answers.rows.push_back(in_variable(report.verdict));
+    const mpfr length = widen(found.unit.length);
+    scale_lengths(answers.verdict, length);
+    if (answers.verdict.suspect) {
+        const mpfr factor = ldexp(mpfr(1), static_cast<int>(found.unit.exponent));
+        answers.verdict.suspect->predicted *= factor;
+        answers.verdict.suspect->uncertainty *= factor;
+    }
+    if (!answers.floor.empty()) {
+        answers.verdict.note += "; " + answers.floor;
+    }
+    answers.rows.push_back(in_powers_of_root(estimate_of(answers.verdict), root));
     for (const auto& test : report.tests) {
-        answers.rows.push_back(in_variable(test));
-    }
-    std::string& note = answers.rows.front().note;
-    if (report.verdict.radius) {
-        note = report.pattern.text() + "; " + note;
-    }
-    if (found.floor) {
-        note += "; " + answers.floor;
+        answers.rows.push_back(in_powers_of_root(in_unit(widened(test), found.unit.length), root));
     }
     return answers;
 }
@@ -112,26 +191,33 @@ void choose_side(radius_estimate<mpfr>& verdict, const std::vector<listed_series
 
 }  // namespace
 
-bool keeps_kind(const listed_function& function, const scalar_spec& scalar, singularity_kind kind) {
-    const int order = function.parts.front().coefficients.order();
-    for (const int fewer : {order - 1, order - 2, order * 4 / 5}) {
-        if (fewer < 0) {
-            continue;
-        }
-        listed_function shorter{{}, function.root};
-        for (const listed_series& list : function.parts) {
-            const auto& all = list.coefficients.coefficients();
-            const auto count = static_cast<std::ptrdiff_t>(std::min(all.size(), static_cast<std::size_t>(fewer) + 1));
-            const auto written = std::min(count, static_cast<std::ptrdiff_t>(list.written.size()));
-            shorter.parts.push_back({series::power_series<mpfr>(std::vector<mpfr>(all.begin(), all.begin() + count)),
-                                     {list.written.begin(), list.written.begin() + written}});
-        }
-        const singularity_kind found = answers_of(shorter, scalar).rows.front().kind;
-        if (found != kind && (found != singularity_kind::unknown || kind == singularity_kind::pole)) {
-            return false;
-        }
+series_list as_written(const listed_series& list) {
+    const precision_scope scope(decimal_digits(bits_for(list.coefficients.order()) + 64));
+    series_list found;
+    std::ranges::transform(list.written, std::back_inserter(found.values),
+                           [](const exact& number) { return from_exact<mpfr>(number); });
+    if (list.rounded != 0) {
+        const long digits = list.rounded.value_or(rounding_of(list.written));
+        found.noise = digits == 0 ? 0 : std::pow(10.0, static_cast<double>(1 - digits)) / 2;
+        const bool decimals = std::ranges::any_of(list.written, [](const exact& n) { return written_digits(n) > 0; });
+        found.zero = decimals ? as_double(noise_of<mpfr>(list.written)) : 0;
     }
-    return true;
+    return found;
+}
+
+radius_estimate<mpfr> estimate_of(const list_verdict& verdict) {
+    radius_estimate<mpfr> row;
+    row.method = "verdict";
+    row.radius = verdict.radius;
+    row.uncertainty = verdict.uncertainty;
+    row.position = verdict.position;
+    row.exponent = verdict.exponent;
+    row.exponent_uncertainty = verdict.exponent_uncertainty;
+    row.kind = verdict.kind;
+    row.count = verdict.count;
+    row.note =
+        verdict.radius && !verdict.pattern.text().empty() ? verdict.pattern.text() + "; " + verdict.note : verdict.note;
+    return row;
 }
 
 printed_estimate printed(const radius_estimate<mpfr>& estimate, long digits) {
@@ -170,10 +256,10 @@ std::size_t nearest_of(const std::vector<radius_answers>& all) {
     return best;
 }
 
-radius_answers answers_of(const listed_function& function, const scalar_spec& scalar) {
+radius_answers answers_of(const listed_function& function, const scalar_spec& scalar, const task_runner& run) {
     std::vector<radius_answers> parts;
     for (const listed_series& list : function.parts) {
-        parts.push_back(with_scalar(scalar, 0, [&]<class T>() { return answers_in<T>(list, function.root); }));
+        parts.push_back(with_scalar(scalar, 0, [&]<class T>() { return answers_in<T>(list, function.root, run); }));
     }
     const std::size_t best = nearest_of(parts);
     if (parts.size() > 1) {

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "../algebra/dense_matrix.hpp"
+#include "libration/integration/rule_for.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/proved.hpp"
@@ -26,9 +28,9 @@ std::vector<expression> gradient_of(const first_order_form& form, const expressi
     return derivatives;
 }
 
-std::unique_ptr<integration> steps_from(flow_state start, const explicit_system& system, long bits, int direction,
+std::shared_ptr<integration> steps_from(flow_state start, const explicit_system& system, long bits, int direction,
                                         const proof_route& route, error_weights weights) {
-    return std::make_unique<integration>(std::move(start), rule_for(system, {bits}, route, weights),
+    return std::make_shared<integration>(std::move(start), rule_for(system, {bits}, route, weights),
                                          infinite_distance(direction), bits);
 }
 
@@ -43,7 +45,7 @@ flow_state state_at_start(const explicit_system& system, const set_start& start,
 }  // namespace
 
 // Along its own steps or others.
-zero_search::zero_search(const explicit_system& system, const expression& g, std::unique_ptr<integration> own,
+zero_search::zero_search(const explicit_system& system, const expression& g, std::shared_ptr<integration> own,
                          step_sequence* along, long bits, int direction, march_watch watch)
     : form_(system),
       g_(form_.in_leaves(g)),
@@ -64,6 +66,17 @@ zero_search::zero_search(const explicit_system& system, const expression& g, lon
                   bits, direction, std::move(watch)) {
     const precision_scope scope(digits_);
     system.singular() ? begin_at_singular(start_of(system, bits)) : begin_at(system.point());
+}
+
+zero_search::zero_search(const explicit_system& system, const expression& g, const kept_part& kept, long bits,
+                         int direction, const proof_route& route, march_watch watch)
+    : zero_search(system, g, kept.steps->along(kept.part, system, bits, direction, route), nullptr, bits, direction,
+                  std::move(watch)) {
+    kept_ = kept.steps;
+    bits_ = own_->bits();
+    digits_ = decimal_digits(bits_) + 10;
+    const precision_scope scope(digits_);
+    system.singular() ? begin_at_singular(own_->start()) : begin_at(system.point());
 }
 
 zero_search::zero_search(const explicit_system& system, const expression& g, const set_start& start, long bits,
@@ -182,6 +195,23 @@ std::optional<proved_event> zero_search::at_start() const {
         event.way = start_.sign > 0 ? crossing::up : crossing::down;
     }
     return event;
+}
+
+// The direction of t in which g crosses 0 next.
+crossing zero_search::way_of_next() const { return sign_ * direction_ < 0 ? crossing::up : crossing::down; }
+
+double zero_search::distance_by_tangent() const {
+    const precision_scope few(few_digits);
+    const step* const next = along_[number_];
+    if (next == nullptr) {
+        return std::numeric_limits<double>::infinity();
+    }
+    expression_values<ball> values(form_.leaves, next->from().time);
+    for (const ball& each : next->shared_values(ball(0))) {
+        values.push_back(each);
+    }
+    const double distance = -as_double(values.of(g_) / values.of(slope_)) * direction_;
+    return distance > 0 ? distance : std::numeric_limits<double>::infinity();
 }
 
 // Whether a piece from the initial point contains the whole ball in which a search from a set begins.
@@ -338,7 +368,9 @@ std::optional<proved_event> zero_search::passed(const step_piece& p, int slope) 
     if (behind == sign_) {
         return with_sign(behind);
     }
-    add_part(p);
+    if (way_ == crossing::any || way_ == way_of_next()) {
+        add_part(p);
+    }
     open_ = true;
     return behind == 0 ? std::nullopt : joined();
 }
@@ -385,8 +417,13 @@ bool zero_search::narrowed_by_signs(step_piece& p) const {
     return cut(last) || before;
 }
 
-// The only zero of the joined pieces.
+// The only zero of the joined pieces, unless it is crossed in the other direction than those that are enclosed.
 std::optional<proved_event> zero_search::joined() {
+    if (way_ != crossing::any && way_ != way_of_next()) {
+        sign_ = -sign_;
+        open_ = false;
+        return std::nullopt;
+    }
     if (parts_.empty()) {
         throw std::logic_error("a zero that is on none of its pieces");
     }
@@ -402,8 +439,8 @@ std::optional<proved_event> zero_search::joined() {
             }
         }
     }
+    event.way = way_of_next();
     sign_ = -sign_;
-    event.way = sign_ * direction_ > 0 ? crossing::up : crossing::down;
     parts_.clear();
     open_ = false;
     return event;
@@ -414,7 +451,7 @@ void zero_search::leave_step() {
     steps_ += step_->cost();
     ++number_;
     step_ = nullptr;
-    if (own_) {
+    if (own_ && (kept_ == nullptr || !kept_->keeps(*own_))) {
         own_->forget_before(number_);
     }
     if (watch_) {
@@ -471,6 +508,7 @@ std::optional<proved_event> zero_search::next(crossing way, const std::optional<
                            : end   ? std::numeric_limits<long>::max()
                                    : steps_ + usual_horizon;
     end_ = search_end::none;
+    way_ = way;
     for (step_piece& each : pieces_) {  // of a search with an earlier end
         each.beyond = each.beyond && last && known_sign((*last - time_) * direction_ - each.from) <= 0;
     }
@@ -492,7 +530,7 @@ std::optional<proved_event> zero_search::next(crossing way, const std::optional<
             step_piece next = std::move(pieces_.back());
             pieces_.pop_back();
             auto event = examined(std::move(next));
-            if (!event || (way != crossing::any && way != event->way)) {
+            if (!event) {
                 continue;
             }
             if (!is_beyond(event->time)) {

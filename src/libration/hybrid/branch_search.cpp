@@ -1,6 +1,7 @@
 #include "branch_search.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -11,8 +12,8 @@ namespace libration::ode {
 
 namespace {
 
-// The number of steps by which the searches advance in turn, at first.
-constexpr long first_steps = 4;
+// The number of steps by which the searches advance in turn.
+constexpr long steps_in_turn = 1;
 
 // The fraction with the least denominator between two numbers: their common integer part, and the inverse of the one
 // between the inverses of what remains.
@@ -129,19 +130,37 @@ void branch_search::read_end(watched& each, bool has_end, long horizon) {
     }
 }
 
-// True if nothing remains to be done for this surface.
-bool branch_search::advance(watched& each, const std::optional<number>& end, long steps, long horizon) {
-    if (each.found || each.over || each.of.of.time) {
-        return true;
+// The surfaces whose searches continue, those first whose tangents at the beginning of the next step are 0 first: the end of
+// the other searches is then early.
+std::vector<branch_search::watched*> branch_search::in_order(const std::optional<number>& end) {
+    std::vector<std::pair<double, watched*>> open;
+    for (watched& each : watched_) {
+        if (each.found || each.over || each.of.of.time) {
+            continue;
+        }
+        if (!each.search) {
+            each.search = each.of.start
+                              ? std::make_unique<zero_search>(system_, each.of.of.g, along_, *each.of.start, bits_)
+                              : std::make_unique<zero_search>(system_, each.of.of.g, along_, bits_);
+        }
+        open.emplace_back(0, &each);
     }
-    if (!each.search) {
-        each.search = each.of.start
-                          ? std::make_unique<zero_search>(system_, each.of.of.g, along_, *each.of.start, bits_)
-                          : std::make_unique<zero_search>(system_, each.of.of.g, along_, bits_);
+    if (open.size() > 1 && (!end || certainly_less(along_.reached(), enclosed_number(*end)))) {
+        for (auto& [distance, each] : open) {
+            distance = each->search->distance_by_tangent();
+        }
+        std::ranges::stable_sort(open, {}, &std::pair<double, watched*>::first);
     }
-    auto event = each.search->next(each.of.way, end, steps);
+    std::vector<watched*> order;
+    std::ranges::transform(open, std::back_inserter(order), &std::pair<double, watched*>::second);
+    return order;
+}
+
+// False if the search may continue.
+bool branch_search::advance(watched& each, const std::optional<number>& end, long horizon) {
+    auto event = each.search->next(each.of.way, end, steps_in_turn);
     if (!event) {
-        each.steps += steps;
+        each.steps += steps_in_turn;
         read_end(each, end.has_value(), horizon);
         return each.over;
     }
@@ -170,15 +189,15 @@ std::optional<found_crossing> branch_search::next(const std::optional<number>& e
         }
     }
     bool all = false;
-    for (long steps = first_steps; !all && end_ == path_end::none; steps *= 2) {
+    while (!all && end_ == path_end::none) {
         all = true;
-        for (watched& each : watched_) {
-            all = advance(each, bound, steps, horizon) && all;
+        for (watched* const each : in_order(bound)) {
+            all = advance(*each, bound, horizon) && all;
             if (end_ != path_end::none) {
                 return std::nullopt;
             }
-            if (each.found) {
-                shorten(bound, each.found->time);
+            if (each->found) {
+                shorten(bound, each->found->time);
             }
         }
         forget_searched_steps();

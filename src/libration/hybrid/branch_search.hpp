@@ -75,7 +75,8 @@ private:
     };
 
     std::optional<std::size_t> first_known_time(const std::optional<number>& end);
-    bool advance(watched& each, const std::optional<number>& end, long steps, long horizon);
+    std::vector<watched*> in_order(const std::optional<number>& end);
+    bool advance(watched& each, const std::optional<number>& end, long horizon);
     void read_end(watched& each, bool has_end, long horizon);
     std::optional<found_crossing> first_of(const std::optional<std::size_t>& known);
     std::optional<found_crossing> crossing_at(std::size_t first, const ball& time);

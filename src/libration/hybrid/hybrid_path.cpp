@@ -7,6 +7,7 @@
 #include "../equation/condition_system.hpp"
 #include "branch_search.hpp"
 #include "libration/hybrid/initial_mode.hpp"
+#include "libration/integration/rule_for.hpp"
 #include "libration/scalar/error.hpp"
 #include "states_around.hpp"
 

@@ -196,17 +196,15 @@ private:
 
     // What the signs of the derivatives on both sides of the surface of a sign mean.
     void note_failure(std::size_t i, int order, const std::vector<derivative_on>& derivatives) {
-        const auto all = [&](int factor) {
-            return std::ranges::all_of(derivatives, [&](const derivative_on& each) {
-                const int side = each.list->values[i].sign();
-                return side == 0 || each.sign == factor * side;
-            });
-        };
-        const bool alone = derivatives.size() == 3;  // no other step function is open
-        failures_[i] = system_.steps()[i].kind != step_kind::sign ? mode_failure::undecided
-                       : order == 1 && all(-1)                    ? mode_failure::sliding
-                       : alone && all(1)                          ? mode_failure::several
-                                                                  : mode_failure::undecided;
+        if (system_.steps()[i].kind != step_kind::sign) {
+            failures_[i] = mode_failure::undecided;
+            return;
+        }
+        std::vector<side_of_surface> sides;
+        for (const derivative_on& each : derivatives) {
+            sides.push_back({each.list->values[i].sign(), each.sign});
+        }
+        failures_[i] = failure_at_surface(sides, order, derivatives.size() == 3);  // no other step function is open
     }
 
     // Whether the slopes of the state depend on the value of the sign, although its argument remains 0.
@@ -341,17 +339,6 @@ private:
 };
 
 }  // namespace
-
-std::string initial_mode::reason(const hybrid_system& system) const {
-    const std::string& text = system.steps()[step].text;
-    switch (failure) {
-        case mode_failure::sliding:
-            return "the solution slides along the surface of `" + text + "`: both branches lead back to it";
-        case mode_failure::several: return "the solution can continue on more than one branch of `" + text + "`";
-        case mode_failure::undecided: break;
-    }
-    return "it is not decided which branch of `" + text + "` follows: its two sides are equal, or not distinguished";
-}
 
 initial_mode mode_after(const branch_beginning& beginning, const std::optional<step_values>& before,
                         const std::vector<std::size_t>& crossed) {

@@ -124,26 +124,6 @@ ball_matrix inverse(const std::vector<set_column>& q) {
 
 }  // namespace
 
-ball exact_midpoint(const ball& x) {
-    ball result;
-    arf_set_round(arb_midref(result.handle()), arb_midref(x.handle()), ball::working_bits(), ARF_RND_NEAR);
-    return result;
-}
-
-ball_matrix product(const ball_matrix& a, const ball_matrix& b) {
-    ball_matrix result(a.size());
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        for (std::size_t j = 0; j < b.front().size(); ++j) {
-            ball sum(0);
-            for (std::size_t k = 0; k < b.size(); ++k) {
-                sum += a[i][k] * b[k][j];
-            }
-            result[i].push_back(sum);
-        }
-    }
-    return result;
-}
-
 magnitude reach_of_row(const std::vector<ball>& row, const std::vector<std::size_t>& blocks,
                        const std::vector<magnitude>& radii) {
     magnitude sum;

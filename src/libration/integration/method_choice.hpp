@@ -1,45 +1,43 @@
-// Which method makes the next step of a proof.
+// Taylor series or collocation: which of them makes the next step of a proof.
 #pragma once
 
+#include <functional>
 #include <memory>
-#include <optional>
 
 #include "collocation/collocation_rule.hpp"
 #include "libration/integration/rule.hpp"
-#include "libration/integration/singular/singular_step.hpp"
-#include "root/root_rule.hpp"
 #include "taylor/taylor_rule.hpp"
 
 namespace libration::ode {
 
-/// Taylor series (theorem V) from a regular state; they give the length with which the others are compared. If the
+/// Instead of a step of Taylor series in a direction: the part of it up to where another rule continues; null if none
+/// does.
+using step_before = std::function<std::shared_ptr<const step>(const series_step& whole, int direction)>;
+
+/// Taylor series (theorem V) from a regular state; they give the length with which collocation is compared. If the
 /// equations are stiff, that is if the solution is smooth over many of these steps, collocation (theorem K) continues from
-/// the same set, until no mode is fast. Times with roots (root_time.hpp) are crossed by steps in a root of the
-/// distance from them, in which the solution is analytic. A singular initial point is left by a step of theorem S.
+/// the same set, until no mode is fast.
 class method_choice : public step_rule {
 public:
-    method_choice(const explicit_system& of, const run_bits& bits, const proof_route& route, error_weights weights);
+    method_choice(const polynomial_form& of, const run_bits& bits, const proof_route& route, error_weights weights,
+                  step_before other = {});
 
     void begin(const flow_state& start) override;
     next_step next(const flow_state& from, const ball& rest) override;
 
+    /// Throws error of the subject "integrator" if the route is by collocation, which is not possible.
+    void require_integrator(bool with_derivative) const;
+    /// Steps of another rule count, too, in the comparison of costs.
+    void count(long cost) { cost_ += cost; }
+
 private:
-    next_step next_method(const flow_state& from, const ball& rest);
-    next_step next_at_start(const flow_state& from, int direction);
     next_step next_after_collocation(const flow_state& from, const ball& rest);
     next_step next_by_series(const flow_state& from, const ball& rest);
-    void require_integrator(bool with_derivative) const;
-    void require_given_start(const flow_state& start) const;
 
-    explicit_system of_;
-    run_bits bits_;
-    proof_route route_;
-    std::optional<singular_step> singular_;  // the first step from a singular initial point without roots
-    std::unique_ptr<taylor_rule> taylor_;
-    std::unique_ptr<collocation_rule> collocation_;
-    std::unique_ptr<root_rule> roots_;                   // if there are times with roots
-    std::shared_ptr<const root_passage> first_passage_;  // if one of them is the initial point
-    bool at_start_ = true;
+    integrator_choice integrator_;
+    step_before other_;
+    taylor_rule taylor_;
+    collocation_rule collocation_;
     bool series_begun_ = false;
     long cost_ = 0;
 };

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "libration/equation/constant_value.hpp"
+#include "libration/integration/rule_for.hpp"
 #include "libration/scalar/ball/failure.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 
@@ -26,6 +27,31 @@ proved_march::proved_march(const explicit_system& system, flow_state start, cons
       watch_(std::move(watch)),
       reached_(start_.time) {}
 
+proved_march::proved_march(const kept_part& kept, const explicit_system& system, long bits, int direction,
+                           march_watch watch, const proof_route& route)
+    : watch_(std::move(watch)),
+      kept_(kept.steps),
+      along_(kept_->along(kept.part, system, bits, direction, route)),
+      reached_(along_->start().time) {
+    bits_.bits = along_->bits();
+    start_.time = along_->start().time;
+    along_->call(watch_, {});
+}
+
+// The callbacks do not outlive the question.
+proved_march::~proved_march() {
+    if (kept_ != nullptr) {
+        along_->call({}, {});
+    }
+}
+
+void proved_march::observe(step_observer observer) {
+    observer_ = std::move(observer);
+    if (along_) {
+        along_->call(watch_, observer_);
+    }
+}
+
 void proved_march::aim(const number& farthest) {
     const precision_scope scope(decimal_digits(bits_.bits) + 20);
     farthest_ = constant_value<ball>::of(farthest);
@@ -38,7 +64,7 @@ void proved_march::keep_derivative() {
 
 integration& proved_march::along() {
     if (!along_) {
-        along_ = std::make_unique<integration>(start_, rule_, start_.time, bits_.bits, watch_, observer_);
+        along_ = std::make_shared<integration>(start_, rule_, start_.time, bits_.bits, watch_, observer_);
     }
     return *along_;
 }
@@ -64,7 +90,9 @@ std::optional<step_at> proved_march::place_of(const ball& target) {
             return steps_about(steps, now_, target);
         }
         steps_ += here->cost();
-        steps.forget_before(now_);
+        if (kept_ == nullptr || !kept_->keeps(steps)) {
+            steps.forget_before(now_);
+        }
     }
 }
 

@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "../expansion/set_values.hpp"
+#include "../integration/closed_form/constant_solution.hpp"
 #include "disc_path.hpp"
 #include "libration/digits/precision_loop.hpp"
 #include "libration/equation/dependency.hpp"
 #include "libration/equation/first_order_form.hpp"
-#include "libration/integration/closed_form/constant_solution.hpp"
 #include "libration/plane/regular_coordinates.hpp"
 #include "libration/scalar/ball/decimal.hpp"
 #include "libration/scalar/ball/functions.hpp"

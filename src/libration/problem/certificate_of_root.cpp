@@ -9,7 +9,7 @@
 #include "libration/equation/parametric_system.hpp"
 #include "libration/equation/text/parse.hpp"
 #include "libration/problem/certificate.hpp"
-#include "libration/query/krawczyk.hpp"
+#include "libration/query/shooting/periodic_orbit.hpp"
 
 namespace libration {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "../query/certificate/certificate.hpp"
 #include "libration/problem/answer.hpp"
-#include "libration/query/certificate/certificate.hpp"
 
 namespace libration {
 

@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "certificate_text.hpp"
+#include "libration/algebra/krawczyk.hpp"
 #include "libration/digits/precision_loop.hpp"
 #include "libration/equation/first_order_form.hpp"
 #include "libration/integration/proved_march.hpp"
-#include "libration/query/krawczyk.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "near_fractions.hpp"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "../query/certificate/certificate.hpp"
 #include "libration/problem/answer.hpp"
-#include "libration/query/certificate/certificate.hpp"
 
 namespace libration {
 

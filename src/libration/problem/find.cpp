@@ -9,7 +9,8 @@
 #include "libration/number/two_proofs.hpp"
 #include "libration/problem/known_facts.hpp"
 #include "libration/problem/proved_answer.hpp"
-#include "libration/query/krawczyk.hpp"
+#include "libration/query/shooting/periodic_orbit.hpp"
+#include "libration/query/shooting/proved_unknowns.hpp"
 #include "libration/query/shooting/solution_branch.hpp"
 
 namespace libration {

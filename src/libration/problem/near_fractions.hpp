@@ -1,7 +1,7 @@
 // Fractions near balls, with few digits.
 #pragma once
 
-#include "libration/query/certificate/certificate.hpp"
+#include "../query/certificate/certificate.hpp"
 #include "libration/scalar/ball/ball.hpp"
 
 namespace libration {

@@ -46,7 +46,7 @@ void require_same_events(const std::vector<std::string>& quantities, const std::
 
 }  // namespace
 
-answer_value value_in_answer(const ode::known_value& value) {
+answer_value value_in_answer(const known_value& value) {
     return value.decimal ? answer_value{value.decimal->text, value.decimal->uncertainty}
                          : answer_value{"", value.bound};
 }

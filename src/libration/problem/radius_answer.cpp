@@ -4,9 +4,10 @@
 #include <cstddef>
 #include <utility>
 
-#include "libration/convergence/radius_verdict.hpp"
+#include "libration/convergence/exponent_uncertainty.hpp"
 #include "libration/number/exact.hpp"
 #include "libration/scalar/decimal.hpp"
+#include "verdict_columns.hpp"
 
 namespace libration {
 
@@ -73,8 +74,10 @@ std::string kind_in_words(const radius_estimate<mpfr>& estimate) {
         what = "logarithm" + plural;
     } else if (estimate.kind == singularity_kind::algebraic) {
         what = "algebraic branch point" + plural;
-    } else if (estimate.kind == singularity_kind::branch) {
-        what = "branch point" + plural;
+    } else if (estimate.kind == singularity_kind::confluent) {
+        what = "logarithm" + plural + " or pair" + plural + " of confluent powers";
+    } else if (estimate.kind == singularity_kind::irregular) {
+        what = "irregular singular point" + plural;
     }
     return estimate.count > 0 ? std::to_string(estimate.count) + " " + what : what;
 }
@@ -132,20 +135,35 @@ std::string whose_verdict(const std::vector<radius_answers>& all, const std::vec
     return text;
 }
 
+// With the number of singularities that symmetry makes of the one that the radius is of.
+radius_estimate<mpfr> of_lead(radius_estimate<mpfr> estimate, const list_verdict& verdict) {
+    if (verdict.ring.size() > 1) {
+        estimate.count = verdict.pattern.stride * (verdict.position->im == 0 ? 1 : 2);
+    }
+    return estimate;
+}
+
 // `unknown` describes the unknown of the verdict; empty for a list without a name.
 std::vector<answer_note> verdict_in_words(const radius_answers& answers, const estimate_row& row,
-                                          const std::string& unknown) {
+                                          const std::string& unknown, const request& how) {
     const radius_estimate<mpfr>& verdict = answers.rows.front();
-    std::vector<answer_note> notes{{"coefficients", "n = 0 .. " + std::to_string(answers.pattern.order) + "; " +
-                                                        answers.pattern.text() + (answers.floor.empty() ? "" : "; ") +
-                                                        answers.floor}};
+    std::vector<answer_note> notes{{"coefficients", "n = 0 .. " + std::to_string(answers.verdict.pattern.order) + "; " +
+                                                        answers.verdict.pattern.text() +
+                                                        (answers.floor.empty() ? "" : "; ") + answers.floor}};
     if (!unknown.empty()) {
         notes.push_back({"unknown", unknown});
     }
     const auto with_uncertainty = [&](std::size_t at) { return row[at].text + " +- " + row[at + 1].text; };
-    notes.push_back({"radius", verdict.radius ? with_uncertainty(place::radius) : "none"});
+    const bool bounded =
+        answers.verdict.growth == growth_class::zero || answers.verdict.growth == growth_class::infinite;
+    const std::string bound = answers.verdict.bound == radius_bound::at_least  ? "at least "
+                              : answers.verdict.bound == radius_bound::at_most ? "at most "
+                                                                               : "";
+    notes.push_back({"radius", verdict.radius ? bound + with_uncertainty(place::radius)
+                               : bounded      ? row[place::radius].text
+                                              : "none"});
     if (verdict.radius) {
-        notes.push_back({"nearest", nearest_in_words(verdict, row)});
+        notes.push_back({"nearest", nearest_in_words(of_lead(verdict, answers.verdict), row)});
         if (verdict.exponent) {
             notes.push_back({"exponent", with_uncertainty(place::exponent)});
         }
@@ -154,27 +172,21 @@ std::vector<answer_note> verdict_in_words(const radius_answers& answers, const e
         const std::string& error = row[place::relative_error].text;
         notes.push_back({"exact", exact + (error.empty() ? "" : ", relative error " + error)});
     }
+    for (answer_note& each : notes_of(answers.verdict, how)) {
+        notes.push_back(std::move(each));
+    }
     notes.push_back({"why", row[place::note].text});
     return notes;
 }
 
-// Leaves out a kind that is not certain.
-void settle_kind(radius_estimate<mpfr>& verdict, const listed_function& of, const scalar_spec& scalar,
-                 const branch_analysis& analysis) {
-    if (verdict.kind == singularity_kind::unknown || verdict.kind == singularity_kind::boundary) {
-        return;
-    }
+// A pole where the equations have branches is not one.
+void settle_kind(radius_estimate<mpfr>& verdict, const branch_analysis& analysis) {
     if (verdict.kind == singularity_kind::pole && verdict.position && analysis) {
-        if (const auto single = analysis(*verdict.position)) {
-            if (!*single) {
-                verdict.kind = singularity_kind::unknown;
-                verdict.note += "; no pole: by its equations the solution has branches there";
-            }
-            return;
+        const auto single_valued = analysis(*verdict.position);
+        if (single_valued && !*single_valued) {
+            verdict.kind = singularity_kind::unknown;
+            verdict.note += "; no pole: by its equations the solution has branches there";
         }
-    }
-    if (!keeps_kind(of, scalar, verdict.kind)) {
-        verdict.kind = singularity_kind::unknown;
     }
 }
 
@@ -187,22 +199,35 @@ answer radius_answer(const std::vector<unknown_series>& unknowns, const std::opt
     std::vector<radius_answers> all;
     all.reserve(unknowns.size());
     for (const unknown_series& each : unknowns) {
-        all.push_back(answers_of(each.lists, how.scalar));
-        settle_kind(all.back().rows.front(), each.lists, how.scalar, analysis);
+        all.push_back(answers_of(each.lists, how.scalar, how.run));
+        settle_kind(all.back().rows.front(), analysis);
     }
     answer result{.names = {"method", "radius", "uncertainty", "exact", "relative_error", "position_re", "position_im",
                             "kind", "count", "note", "exponent", "exponent_uncertainty", "rigour"},
                   .rows = {},
                   .rigour = "heuristic"};
+    const auto own = verdict_columns();
+    const std::vector<answer_value> none(own.size(), text_value(""));
     const auto add = [&](std::size_t unknown, const radius_estimate<mpfr>& estimate) {
         result.rows.push_back(row_of(estimate, exact, digits));
+        auto& row = result.rows.back();
         if (several) {
-            result.rows.back().push_back(text_value(unknowns[unknown].name));
+            row.push_back(text_value(unknowns[unknown].name));
+        }
+        const bool is_verdict = &estimate == &all[unknown].rows.front();
+        const list_verdict& verdict = all[unknown].verdict;
+        const auto further = is_verdict ? values_of(verdict, digits, unknowns[unknown].lists.root) : none;
+        row.insert(row.end(), further.begin(), further.end());
+        if (is_verdict) {
+            row[place::radius].text = radius_text(verdict, row[place::radius].text);
         }
     };
     const std::size_t nearest = nearest_of(all);
     if (several) {
         result.names.emplace_back("unknown");
+    }
+    result.names.insert(result.names.end(), own.begin(), own.end());
+    if (several) {
         add(nearest, all[nearest].rows.front());
     }
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -211,7 +236,7 @@ answer radius_answer(const std::vector<unknown_series>& unknowns, const std::opt
         }
     }
     result.notes =
-        verdict_in_words(all[nearest], result.rows.front(), several ? whose_verdict(all, unknowns, nearest) : "");
+        verdict_in_words(all[nearest], result.rows.front(), several ? whose_verdict(all, unknowns, nearest) : "", how);
     return result;
 }
 

@@ -114,7 +114,8 @@ answer taylor_solution::series(const series_request& of, const request& how) con
     const long digits = how.printed_digits();
     if (how.scalar.kind == scalar_kind::proved) {
         const auto checked = checked_products(how.check);
-        const auto found = ode::proved_coefficients(asked, digits);
+        const ode::shared_integrations::use kept(kept_);
+        const auto found = ode::proved_coefficients(asked, digits, {}, kept.steps());
         if (how.check) {
             require_second_series(asked, digits, found.values);
         }

@@ -103,7 +103,8 @@ ode::partial_trajectory taylor_solution::proved_part(const std::vector<exact>& t
                                                      const ode::step_observer& observer) const {
     const auto at = numbers_of(times);
     if (how.derivatives.empty()) {
-        return ode::proved_part_of_trajectory(system_, at, digits, watch, route, observer);
+        const ode::shared_integrations::use kept(kept_);
+        return ode::proved_part_of_trajectory(system_, at, digits, watch, route, observer, kept.steps());
     }
     return in_columns(ode::proved_derivatives(equations_, at, how.derivatives, digits, watch, route, observer),
                       columns_of(how).size());
@@ -197,7 +198,8 @@ answer taylor_solution::limits(const request& how) const {
 
 answer taylor_solution::events(const ode::event_request& of, const request& how, const ode::event_watch& watch) const {
     return events_by(quantities(), how, watch, [&](long digits, const auto& route, const auto& watched) {
-        return ode::searched_events(system_, of, digits, route, watched);
+        const ode::shared_integrations::use kept(kept_);
+        return ode::searched_events(system_, of, digits, route, watched, kept.steps());
     });
 }
 

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "libration/expansion/taylor_expansion.hpp"
+#include "libration/integration/kept_integrations.hpp"
 #include "libration/problem/solution.hpp"
 #include "libration/query/problem_coefficients.hpp"
 #include "libration/query/states.hpp"
@@ -45,6 +47,8 @@ public:
     std::optional<bool> is_single_valued(const series_request& of, const complex_number<mpfr>& place,
                                          const request& how) const override;
 
+    std::size_t steps_made() const override { return kept_.made(); }
+
     const ode::explicit_system& system() const { return system_; }
 
 protected:
@@ -68,6 +72,7 @@ private:
 
     ode::equation_system equations_;
     ode::explicit_system system_;
+    mutable ode::shared_integrations kept_;
 };
 
 }  // namespace libration

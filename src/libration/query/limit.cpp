@@ -5,11 +5,11 @@
 
 #include "../equation/bound_text.hpp"
 #include "../expansion/set_values.hpp"
+#include "../integration/closed_form/constant_solution.hpp"
 #include "../manifold/algebraic_decay.hpp"
 #include "../manifold/stable_equilibrium.hpp"
 #include "libration/digits/precision_loop.hpp"
 #include "libration/equation/dependency.hpp"
-#include "libration/integration/closed_form/constant_solution.hpp"
 
 namespace libration::ode {
 

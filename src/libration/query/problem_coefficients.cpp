@@ -103,12 +103,18 @@ std::vector<wide_t<T>> about_time(const coefficient_request& request, const numb
 
 // In balls, with the path to the point proved.
 std::vector<wide_t<ball>> proved_about_time(const coefficient_request& request, const number& time,
-                                            const proof_route& route) {
+                                            const proof_route& route, kept_integrations* kept) {
     require_room<ball>(tape::about_points(request.system), request.order + route.more_terms);
-    proved_march march(request.system, static_cast<long>(ball::working_bits()) + 64, {}, proved_march::usual_error_bits,
-                       route);
-    const auto values = march.at(time);
-    if (!values && march.end() == stop::precision) {
+    const long bits = static_cast<long>(ball::working_bits()) + 64;
+    std::optional<proved_march> march;
+    if (kept != nullptr) {
+        const bool forward = (time - request.system.point()).sign() >= 0;
+        march.emplace(kept_part{kept}, request.system, bits, forward ? 1 : -1, march_watch(), route);
+    } else {
+        march.emplace(request.system, bits, march_watch(), proved_march::usual_error_bits, route);
+    }
+    const auto values = march->at(time);
+    if (!values && march->end() == stop::precision) {
         throw precision_exhausted("the path to the point");
     }
     if (!values) {
@@ -246,12 +252,13 @@ coefficient_list<mpfr> rounded_coefficients(const scalar_spec& scalar, const coe
 }
 
 coefficient_list<proved_decimal> proved_coefficients(const coefficient_request& request, long digits,
-                                                     const proof_route& route) {
+                                                     const proof_route& route, kept_integrations* kept) {
     if (request.complex()) {
         throw error(error_kind::argument, error_subject::point, "", "is complex, and no way to it is proved");
     }
     if (!request.about_start()) {
-        return {proved_decimals(digits, [&] { return proved_about_time(request, request.at->re, route); }), false, 1};
+        return {proved_decimals(digits, [&] { return proved_about_time(request, request.at->re, route, kept); }), false,
+                1};
     }
     const tape made = tape::about_start(request.system);
     auto values = proved_decimals(

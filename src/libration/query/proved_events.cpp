@@ -27,16 +27,18 @@ std::vector<ball> state_of(const proved_event& event, const std::optional<condit
 }  // namespace
 
 event_report searched_events(const explicit_system& system, const event_request& request, long digits,
-                             const proof_route& route, const event_watch& watch) {
+                             const proof_route& route, const event_watch& watch, kept_integrations* kept) {
     const auto given = given_values(system, request.g);
     std::optional<condition_system> as_unknown;  // if g itself is too wide on sets of times
     std::vector<collocation_use> collocation;
     event_list list(names_of_state(system), request.count, digits, most_bits_of_event(digits), watch);
     event_report report = list.of_runs([&](long bits, run_demand& demand) {
         const precision_scope scope(decimal_digits(bits) + 10);
-        zero_search search(as_unknown ? as_unknown->system : system, as_unknown ? as_unknown->condition : request.g,
-                           bits, request.direction, route,
-                           [&](const ball& reached, long now) { list.tell(reached, now); });
+        const march_watch tell = [&](const ball& reached, long now) { list.tell(reached, now); };
+        zero_search search =
+            as_unknown ? zero_search(as_unknown->system, as_unknown->condition, bits, request.direction, route, tell)
+            : kept != nullptr ? zero_search(system, request.g, kept_part{kept}, bits, request.direction, route, tell)
+                              : zero_search(system, request.g, bits, request.direction, route, tell);
         const auto note_collocation = [&] {
             const collocation_use& used = search.collocation();
             collocation.assign(used.steps > 0 ? 1 : 0, used);

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "../expansion/set_values.hpp"
+#include "../integration/closed_form/constant_solution.hpp"
+#include "../integration/closed_form/linear_flow.hpp"
 #include "libration/digits/precision_loop.hpp"
-#include "libration/integration/closed_form/constant_solution.hpp"
-#include "libration/integration/closed_form/linear_flow.hpp"
 #include "libration/query/states.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/printed_number.hpp"
@@ -87,7 +87,8 @@ struct further_question {
 class proving_runs {
 public:
     proving_runs(const explicit_system& system, const std::vector<number>& times, long digits, const march_watch& watch,
-                 further_question further = {}, const proof_route& route = {}, step_observer observer = {})
+                 further_question further = {}, const proof_route& route = {}, step_observer observer = {},
+                 const kept_part& kept = {})
         : system_(system),
           times_(times),
           digits_(digits),
@@ -95,6 +96,7 @@ public:
           further_(std::move(further)),
           route_(route),
           observer_(std::move(observer)),
+          kept_(kept),
           order_(in_order(system, times)),
           constancy_(further_.answered ? constancy::none : constancy_of(system)),
           linear_(!further_.answered && route.matrix_exponential && route.integrator == integrator_choice::automatic
@@ -135,7 +137,7 @@ private:
             if (!state && (!march || each.forward != forward)) {
                 demand.cost(march ? march->steps() : 0);
                 forward = each.forward;
-                march.emplace(system_, run.bits, watch_, run.error_bits, route_);
+                begin(march, run, forward);
                 march->aim(times_[farthest(forward)]);
                 march->observe(observer_);
                 if (further_.answered) {
@@ -175,6 +177,15 @@ private:
             }
         }
         demand.cost(march ? march->steps() : 0);
+    }
+
+    // Kept steps have no derivative of the flow.
+    void begin(std::optional<proved_march>& march, const run_bits& run, bool forward) const {
+        if (kept_.steps != nullptr && !further_.answered) {
+            march.emplace(kept_, system_, run.bits, forward ? 1 : -1, watch_, route_);
+        } else {
+            march.emplace(system_, run.bits, watch_, run.error_bits, route_);
+        }
     }
 
     // The last time in a direction that is still to be reached.
@@ -230,6 +241,7 @@ private:
     further_question further_;
     proof_route route_;
     step_observer observer_;
+    kept_part kept_;
     std::vector<asked_time> order_;
     constancy constancy_;  ///< `none` also if anything besides the values is requested
     std::optional<linear_flow> linear_;

@@ -30,11 +30,14 @@ void add_part(partial_trajectory& whole, const partial_trajectory& part, const c
 
 partial_trajectory proved_part_of_trajectory(const explicit_system& system, const std::vector<number>& times,
                                              long digits, const march_watch& watch, const proof_route& route,
-                                             const step_observer& observer) {
+                                             const step_observer& observer, kept_integrations* kept) {
     partial_trajectory whole;
     whole.states.resize(times.size());
-    for (const closed_subsystem& each : independent_subsystems(system)) {
-        add_part(whole, proving_runs(each.system, times, digits, watch, {}, route, observer).part(), each);
+    const auto parts = independent_subsystems(system);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        const kept_part steps{kept, parts.size() == 1 ? kept_integrations::whole : k};
+        add_part(whole, proving_runs(parts[k].system, times, digits, watch, {}, route, observer, steps).part(),
+                 parts[k]);
     }
     return whole;
 }

@@ -5,7 +5,8 @@
 
 #include "attack/facts.hpp"
 #include "attack/question.hpp"
-#include "libration/query/krawczyk.hpp"
+#include "libration/query/shooting/periodic_orbit.hpp"
+#include "libration/query/shooting/proved_unknowns.hpp"
 #include "libration/scalar/error.hpp"
 
 namespace libration::attack {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "libration/equation/text/parse.hpp"
-#include "libration/query/krawczyk.hpp"
+#include "libration/query/shooting/proved_unknowns.hpp"
 #include "libration/scalar/ball/decimal.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/error.hpp"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "libration/expansion/batch/batch_expansion.hpp"
+#include "libration/expansion/batch_expansion.hpp"
 #include "libration/integration/taylor/taylor_march.hpp"
 
 namespace libration::ode {

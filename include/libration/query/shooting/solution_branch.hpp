@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "libration/query/krawczyk.hpp"
+#include "libration/digits/known_value.hpp"
+#include "libration/equation/equation_system.hpp"
+#include "libration/query/states.hpp"
 
 namespace libration::ode {
 

@@ -1,4 +1,4 @@
-#include "libration/integration/closed_form/linear_flow.hpp"
+#include "linear_flow.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -9,6 +9,7 @@
 #include "libration/equation/constant_value.hpp"
 #include "libration/expansion/step_pieces.hpp"
 #include "libration/integration/integration.hpp"
+#include "libration/integration/rule_for.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 
 namespace libration::ode {

@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "../taylor/series_step.hpp"
+#include "libration/digits/precision_loop.hpp"
 #include "libration/equation/first_order_form.hpp"
-#include "libration/integration/root/root_time.hpp"
 #include "libration/integration/rule.hpp"
+#include "root_time.hpp"
 
 namespace libration::ode {
 

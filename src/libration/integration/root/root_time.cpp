@@ -1,4 +1,4 @@
-#include "libration/integration/root/root_time.hpp"
+#include "root_time.hpp"
 
 #include <algorithm>
 #include <numeric>

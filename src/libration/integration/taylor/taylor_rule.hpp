@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "libration/digits/precision_loop.hpp"
 #include "libration/equation/polynomial_form.hpp"
 #include "libration/integration/rule.hpp"
 #include "libration/integration/taylor/step_length.hpp"

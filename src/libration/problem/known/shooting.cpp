@@ -4,6 +4,7 @@
 
 #include "libration/equation/explicit_system.hpp"
 #include "libration/integration/integration.hpp"
+#include "libration/integration/rule_for.hpp"
 #include "libration/integration/taylor/taylor_march.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/proved.hpp"

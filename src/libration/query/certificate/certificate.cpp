@@ -1,4 +1,4 @@
-#include "libration/query/certificate/certificate.hpp"
+#include "certificate.hpp"
 
 #include <algorithm>
 #include <cmath>

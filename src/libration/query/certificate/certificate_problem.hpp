@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "certificate.hpp"
 #include "libration/equation/polynomial_form.hpp"
-#include "libration/query/certificate/certificate.hpp"
 
 namespace libration::ode {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "../../integration/collocation/ball_polynomial.hpp"
+#include "certificate.hpp"
 #include "libration/integration/collocation/tube.hpp"
-#include "libration/query/certificate/certificate.hpp"
 #include "lifted_functions.hpp"
 
 namespace libration::ode {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "../../integration/collocation/polynomial_map.hpp"
+#include "certificate.hpp"
 #include "certificate_step.hpp"
 #include "libration/integration/collocation/collocation_integrator.hpp"
-#include "libration/query/certificate/certificate.hpp"
 
 namespace libration::ode {
 

@@ -2,7 +2,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "libration/query/certificate/certificate.hpp"
+#include "certificate.hpp"
 #include "libration/scalar/decimal.hpp"
 
 namespace libration::ode {

@@ -10,6 +10,7 @@
 #include "../../integration/model/model_rule.hpp"
 #include "libration/equation/first_order_form.hpp"
 #include "libration/integration/integration.hpp"
+#include "libration/integration/rule_for.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 
 namespace libration::ode {

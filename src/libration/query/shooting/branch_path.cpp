@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "../../algebra/dense_matrix.hpp"
+#include "libration/digits/precision_loop.hpp"
 
 namespace libration::ode {
 
@@ -83,7 +84,7 @@ std::optional<branch_path::linear_map> branch_path::map_at(const std::vector<dou
     for (const double each : z) {
         exact.push_back(exactly(each));
     }
-    const auto map = f_(exact, bits_of_path, proved_march::usual_error_bits);
+    const auto map = f_(exact, bits_of_path, run_bits::usual_error_bits);
     if (!map) {
         return std::nullopt;
     }

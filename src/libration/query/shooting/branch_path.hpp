@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "libration/query/krawczyk.hpp"
+#include "libration/algebra/krawczyk.hpp"
 
 namespace libration::ode {
 

@@ -1,13 +1,15 @@
+#include "libration/query/shooting/periodic_orbit.hpp"
+
 #include <algorithm>
 #include <utility>
 
 #include "../../equation/bound_text.hpp"
 #include "libration/equation/first_order_form.hpp"
 #include "libration/event/zero_search.hpp"
-#include "libration/query/krawczyk.hpp"
 #include "libration/scalar/ball/decimal.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"
+#include "shooting.hpp"
 
 namespace libration::ode {
 
@@ -226,8 +228,8 @@ periodic_orbit proved_periodic_orbit(const explicit_system& system, long digits,
     names.emplace_back("period");
     auto values = orbit_or_family(system, [&] {
         return proved_root(
-            [&](const std::vector<ball>& x, long bits, long error_bits) { return closed(x, bits, error_bits); }, guess,
-            digits, names);
+            [&](const std::vector<ball>& x, long bits, long error_bits) { return closed(x, bits, error_bits); },
+            first_iterate(guess), digits, names);
     });
     const precision_scope scope(digits + 20);
     const auto fixed = to_proved_decimal(constant_value<ball>::of(form.starts[held]), digits);

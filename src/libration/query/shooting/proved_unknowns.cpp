@@ -1,4 +1,5 @@
-#include "libration/query/krawczyk.hpp"
+#include "libration/query/shooting/proved_unknowns.hpp"
+
 #include "shooting.hpp"
 
 namespace libration::ode {
@@ -9,7 +10,7 @@ std::vector<proved_decimal> proved_unknowns(const equation_system& system, const
     const shooting shots(system, names, conditions, route, watch);
     return proved_root(
         [&](const std::vector<ball>& x, long bits, long error_bits) { return shots(x, bits, error_bits); },
-        shots.guess(), digits, names);
+        first_iterate(shots.guess()), digits, names);
 }
 
 std::vector<proved_decimal> proved_unknowns(const equation_system& system, const std::vector<std::string>& names,

@@ -114,6 +114,15 @@ std::vector<shooting::timed_moment> shooting::in_order(number_values& numbers) c
     return order;
 }
 
+std::vector<ball> first_iterate(const std::vector<number>& guess) {
+    const precision_scope scope(decimal_digits(bits_of_first_iterate));
+    std::vector<ball> midpoints;
+    for (const number& each : guess) {
+        midpoints.push_back(exact_midpoint(constant_value<ball>::of(each)));
+    }
+    return midpoints;
+}
+
 std::optional<enclosed_map> shooting::operator()(const std::vector<ball>& x, long bits, long error_bits) const {
     const precision_scope scope(decimal_digits(bits));
     number_values numbers(leaves_, ball(0));

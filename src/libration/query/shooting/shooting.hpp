@@ -6,11 +6,15 @@
 #include <utility>
 #include <vector>
 
+#include "libration/algebra/krawczyk.hpp"
 #include "libration/equation/first_order_form.hpp"
 #include "libration/equation/parametric_system.hpp"
-#include "libration/query/krawczyk.hpp"
+#include "libration/query/states.hpp"
 
 namespace libration::ode {
+
+/// The midpoints of numbers, for proved_root().
+std::vector<ball> first_iterate(const std::vector<number>& guess);
 
 /// F_i(x) = g_i(x, y(t_1; x), ..., y(t_m; x)): the conditions g_i = 0 of the solution y with the free numbers x. Only
 /// the unknowns that the conditions depend on are integrated. A time may depend on x: with the flow D = dy(t)/dy(t_0),

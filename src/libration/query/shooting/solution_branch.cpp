@@ -125,8 +125,8 @@ private:
     std::vector<known_value> proved_at(const std::string& value, const std::vector<number>& guess) const {
         const shooting fixed(changed_to(value), names_, question_.conditions, route_, watch_);
         return proved_part_of_root(
-            [&](const std::vector<ball>& x, long bits, long error_bits) { return fixed(x, bits, error_bits); }, guess,
-            question_.digits, names_);
+            [&](const std::vector<ball>& x, long bits, long error_bits) { return fixed(x, bits, error_bits); },
+            first_iterate(guess), question_.digits, names_);
     }
 
     void report(const branch_point& point) {
@@ -245,7 +245,7 @@ private:
                                                                pivot, route_, watch_);
             auto values = proved_part_of_root(
                 [&](const std::vector<ball>& x, long bits, long error_bits) { return extended(x, bits, error_bits); },
-                extended.guess(), question_.digits, names_with_parameter());
+                first_iterate(extended.guess()), question_.digits, names_with_parameter());
             values.resize(guess.size());
             const auto z = rough_values(values);
             require_near(guess, z, to, piece.length());

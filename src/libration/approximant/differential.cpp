@@ -1,0 +1,138 @@
+#include "libration/approximant/differential.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "differential_roots.hpp"
+#include "differential_system.hpp"
+
+namespace libration {
+
+namespace {
+
+constexpr int fewest_unknowns = 5;
+constexpr int most_unknowns = 110;
+
+// log10 |p/a - 1|, at least that of the precision.
+std::optional<double> log_error(const mpfr& predicted, const mpfr& actual, long bits) {
+    if (actual == 0) {
+        return std::nullopt;
+    }
+    const mpfr error = abs(mpfr(predicted / actual - 1));
+    const double least = -0.28 * static_cast<double>(bits);
+    return error == 0 ? least : std::max(least, mpfr(log10(error)).convert_to<double>());
+}
+
+// Whether the coefficients after `length` satisfy the equation too, to four fifths of the precision.
+bool satisfied_by_rest(const differential_relation& relation, std::span<const mpfr> a, int length, long bits) {
+    for (int m = length + 1; m < static_cast<int>(a.size()); ++m) {
+        const coefficient_of_equation at = coefficient_of(relation, a, m);
+        if (at.value != 0 && binary_exponent(at.value) > binary_exponent(at.largest) - bits * 4 / 5) {
+            return false;
+        }
+    }
+    return true;
+}
+
+class fits_of_track {
+public:
+    fits_of_track(std::span<const mpfr> a, std::size_t index, const differential_track& track,
+                  std::span<const int> lengths, root_annulus within, long bits)
+        : a_(a),
+          index_(index),
+          lengths_(lengths),
+          within_(within),
+          bits_(bits),
+          last_(static_cast<int>(a.size()) - 1),
+          system_(a, track, std::min(last_, track.degree + most_unknowns)) {}
+
+    std::vector<differential_fit> all() {
+        while (system_.length() < system_.last()) {
+            const bool regular = system_.add();
+            const bool asked = std::ranges::binary_search(lengths_, system_.length());
+            if (system_.length() == system_.last() && system_.is_exact()) {
+                add_exact();
+            } else if (regular && asked && system_.unknowns() >= fewest_unknowns) {
+                add_fit();
+            }
+        }
+        return std::move(fits_);
+    }
+
+private:
+    void add_fit() {
+        const differential_relation relation = system_.relation();
+        differential_fit fit{
+            .track = index_, .length = system_.length(), .roots = roots_of_equation(relation, within_)};
+        if (fit.length < last_) {
+            const mpfr next = next_by(relation, a_, fit.length + 1);
+            fit.next_error = log_error(next, a_[static_cast<std::size_t>(fit.length) + 1], bits_);
+        }
+        fits_.push_back(std::move(fit));
+    }
+
+    void add_exact() {
+        const differential_relation relation = system_.relation();
+        if (satisfied_by_rest(relation, a_, system_.length(), bits_)) {
+            const root_annulus wider{0.3 * within_.inner, 3 * within_.outer};
+            fits_.push_back(
+                {.track = index_, .length = last_, .exact = true, .roots = roots_of_equation(relation, wider)});
+        }
+    }
+
+    std::span<const mpfr> a_;
+    std::size_t index_;
+    std::span<const int> lengths_;
+    root_annulus within_;
+    long bits_;
+    int last_;
+    differential_system system_;
+    std::vector<differential_fit> fits_;
+};
+
+}  // namespace
+
+std::vector<differential_fit> differential_fits(std::span<const mpfr> a, std::span<const differential_track> tracks,
+                                                std::span<const int> lengths, root_annulus within, long bits,
+                                                const task_runner& run) {
+    std::vector<std::vector<differential_fit>> by_track(tracks.size());
+    run(tracks.size(), [&](std::size_t i) {
+        if (static_cast<int>(a.size()) - 1 - tracks[i].degree >= fewest_unknowns) {
+            const precision_scope scope(decimal_digits(bits));
+            by_track[i] = fits_of_track(a, i, tracks[i], lengths, within, bits).all();
+        }
+    });
+    std::vector<differential_fit> all;
+    for (auto& fits : by_track) {
+        std::ranges::move(fits, std::back_inserter(all));
+    }
+    return all;
+}
+
+std::optional<differential_relation> relation_of(std::span<const mpfr> a, const differential_track& track, int length,
+                                                 long bits) {
+    const int unknowns = length - track.degree;
+    if (unknowns < fewest_unknowns || unknowns > most_unknowns) {
+        return std::nullopt;
+    }
+    const precision_scope scope(decimal_digits(bits));
+    differential_system system(a, track, length);
+    bool regular = false;
+    while (system.length() < length) {
+        regular = system.add();
+    }
+    return regular || system.is_exact() ? std::optional(system.relation()) : std::nullopt;
+}
+
+std::vector<mpfr> continued_by(const differential_relation& relation, std::span<const mpfr> a, int length, int count) {
+    std::vector<mpfr> all(a.begin(), a.begin() + length + 1);
+    all.reserve(all.size() + static_cast<std::size_t>(count));
+    for (int i = 1; i <= count; ++i) {
+        all.push_back(next_by(relation, all, length + i));
+    }
+    return all;
+}
+
+}  // namespace libration

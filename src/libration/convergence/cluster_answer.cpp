@@ -1,0 +1,299 @@
+#include "cluster_answer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace libration::convergence {
+
+namespace {
+
+constexpr double widening = 8;
+constexpr double found_share = 10;
+constexpr double finest_width = 1e-57;
+
+// The consensus at earlier lengths: the one before, and the last and the last but one of at most 0.93 of the length.
+struct earlier_consensus {
+    const root_consensus* before = nullptr;
+    const root_consensus* older = nullptr;
+    const root_consensus* oldest = nullptr;
+};
+
+earlier_consensus earlier_than(const root_cluster& cluster, std::size_t at) {
+    earlier_consensus found;
+    const double limit = 0.93 * cluster.history[at]->length;
+    for (std::size_t i = at; i-- > 0;) {
+        if (!cluster.history[i]) {
+            continue;
+        }
+        const root_consensus* const each = &*cluster.history[i];
+        found.before = found.before != nullptr ? found.before : each;
+        if (each->length <= limit) {
+            if (found.older != nullptr) {
+                found.oldest = each;
+                break;
+            }
+            found.older = each;
+        }
+    }
+    return found;
+}
+
+// The largest of three moves; std::nullopt without a length of at most 0.93 of it.
+template <class Distance>
+std::optional<double> drift_of(const root_cluster& cluster, std::size_t at, const Distance& distance) {
+    const auto earlier = earlier_than(cluster, at);
+    if (earlier.older == nullptr) {
+        return std::nullopt;
+    }
+    const root_consensus& now = *cluster.history[at];
+    const double oldest = earlier.oldest == nullptr ? 0 : distance(now, *earlier.oldest) / 4;
+    return std::max({distance(now, *earlier.before), distance(now, *earlier.older), oldest});
+}
+
+double moved(const root_consensus& a, const root_consensus& b) { return a.distance_to(b) / a.modulus(); }
+
+// Relative: spread and step, without the drift.
+double width_of(const root_consensus& consensus) {
+    return std::max({consensus.spread, consensus.step, finest_width}) / consensus.modulus();
+}
+
+// The last four lengths agree within four times their widths and drifts, the last one to a hundredth.
+bool is_persistent(const root_cluster& cluster) {
+    constexpr std::size_t count = 4;
+    const std::size_t size = cluster.history.size();
+    if (size < count) {
+        return false;
+    }
+    const auto reach = [&](std::size_t i) {
+        const root_consensus& at = *cluster.history[i];
+        return 4 * std::max(width_of(at), drift_of(cluster, i, moved).value_or(0)) * at.modulus();
+    };
+    for (std::size_t i = size - count; i < size; ++i) {
+        if (!cluster.history[i]) {
+            return false;
+        }
+    }
+    const double last = reach(size - 1);
+    for (std::size_t i = size - count; i < size; ++i) {
+        if (cluster.history[i]->distance_to(cluster.now()) > reach(i) + last) {
+            return false;
+        }
+    }
+    return last < 0.01 * cluster.now().modulus();
+}
+
+// log2 of the largest of some coefficients.
+double log2_largest(const std::vector<mpfr>& values, std::size_t first, std::size_t end) {
+    double largest = -1e9;
+    for (std::size_t i = first; i < end; ++i) {
+        largest = std::max(largest, log_size(values[i]) / std::numbers::ln2);
+    }
+    return largest;
+}
+
+// The list continued by up to three exact equations, as far as they agree to 10^-6; empty if there is only one.
+std::vector<mpfr> continuation(const approximant_family& family, int count) {
+    const long bits = bits_for(family.order);
+    const precision_scope scope(decimal_digits(bits));
+    std::vector<std::vector<mpfr>> all;
+    for (const auto& fit : family.fits) {
+        if (fit.exact && all.size() < 3) {
+            const auto& track = family.tracks[fit.track];
+            const int length = std::min(family.order, track.degree + 110);
+            if (const auto relation = relation_of(family.scaled, track, length, bits)) {
+                all.push_back(continued_by(*relation, family.scaled, family.order, count));
+            }
+        }
+    }
+    if (all.size() < 2) {
+        return {};
+    }
+    const auto first = static_cast<std::size_t>(family.order) + 1;
+    std::size_t end = first;
+    const auto agree = [&](std::size_t i) {
+        return std::ranges::all_of(all, [&](const auto& each) {
+            return isfinite(each[i]) && abs(each[i] - all[0][i]) <= abs(all[0][i]) / 1'000'000;
+        });
+    };
+    while (end < all[0].size() && agree(end)) {
+        ++end;
+    }
+    return {all[0].begin() + static_cast<std::ptrdiff_t>(first), all[0].begin() + static_cast<std::ptrdiff_t>(end)};
+}
+
+// Whether the list continued by its exact equation falls as for the singularity at `next` (none: faster than any)
+// rather than as for one at `root`: the solution is regular at `root`.
+bool is_apparent(const approximant_family& family, const root_consensus& root, const root_consensus* next) {
+    const double y = std::log2(root.modulus());
+    const double ratio = next == nullptr ? 0 : std::log2(next->modulus()) - y;
+    if (next != nullptr && ratio < 0.02) {
+        return false;
+    }
+    const int n = family.order;
+    const int asked = next == nullptr ? 2 * n : std::min(2000, std::max(2 * n, static_cast<int>(60 / ratio)));
+    const auto ahead = continuation(family, asked);
+    const int w = std::max(6, n / 8);
+    const auto m = static_cast<int>(ahead.size());
+    if (m < 3 * w) {
+        return false;
+    }
+    const auto ends = static_cast<std::size_t>(m);
+    const auto window = static_cast<std::size_t>(w);
+    const double growth = std::log2(static_cast<double>(n + m) / (n + w / 2.0));
+    const double fall =
+        log2_largest(ahead, ends - window, ends) + (n + m) * y - log2_largest(ahead, 0, window) - (n + w / 2.0) * y;
+    const double singular = -(root.exponent.convert_to<double>() + 1) * growth;
+    const double regular = next == nullptr
+                               ? singular - 60
+                               : -(std::clamp(next->exponent.convert_to<double>(), -9.0, 9.0) + 1) * growth - m * ratio;
+    return singular - regular > 8 && fall < (singular + regular) / 2;
+}
+
+// Whether b lies at the angle of a multiple of 30 degrees from a, but not at a.
+bool is_related(const placed_cluster& a, const placed_cluster& b) {
+    const auto z = a.consensus().place();
+    const auto w = b.consensus().place();
+    if (std::abs(z.imag()) < 1e-9 && std::abs(w.imag()) < 1e-9) {
+        return z.real() * w.real() < 0;
+    }
+    const double turns = (std::arg(z) - std::arg(w)) * 6 / std::numbers::pi;
+    const double nearest = std::round(turns);
+    return std::abs(turns - nearest) < 4 * (a.uncertainty + b.uncertainty) + 1e-6 && std::fmod(nearest, 12) != 0;
+}
+
+// The kind that the consensus of one length alone shows.
+singularity_kind kind_alone(const root_cluster& cluster, std::size_t at) {
+    const root_consensus& found = *cluster.history[at];
+    const auto [exponent, uncertainty] = exponent_at(cluster, at);
+    const double t = exponent.convert_to<double>();
+    if (found.irregular || (found.type == 21 && (std::abs(t) > 8 || uncertainty > 1))) {
+        return singularity_kind::irregular;
+    }
+    if (uncertainty > 0.3) {
+        return singularity_kind::unknown;
+    }
+    if (found.type == 22 || found.type == 32 || found.type == 33) {
+        return singularity_kind::confluent;
+    }
+    const double nearest = std::round(t);
+    const mpfr away = abs(mpfr(exponent - mpfr(nearest)));
+    if (uncertainty < 0.05 && away <= std::max(uncertainty, 1e-12)) {
+        return nearest < 0        ? singularity_kind::pole
+               : found.type == 11 ? singularity_kind::logarithm
+                                  : singularity_kind::unknown;
+    }
+    return singularity_kind::algebraic;
+}
+
+}  // namespace
+
+double position_uncertainty(const root_cluster& cluster, std::size_t at) {
+    const root_consensus& found = *cluster.history[at];
+    const double raw = width_of(found);
+    if (raw < 1e-45 && found.exact) {
+        return widening * raw;
+    }
+    const auto drift = drift_of(cluster, at, moved);
+    const double factor = found.share >= 30 ? widening : 2.5 * widening;
+    return factor * (drift ? std::max(raw, *drift) : 5 * raw);
+}
+
+placed_cluster placed(const root_cluster& cluster) {
+    const std::size_t last = cluster.history.size() - 1;
+    const double at_last = position_uncertainty(cluster, last);
+    placed_cluster best{&cluster, last, at_last};
+    for (std::size_t i = 0; i < last; ++i) {
+        if (!cluster.history[i] || cluster.history[i]->exact || cluster.history[i]->share < found_share) {
+            continue;
+        }
+        const double uncertainty = 3 * position_uncertainty(cluster, i);
+        const double away = moved(cluster.now(), *cluster.history[i]);
+        if (uncertainty < best.uncertainty / 3 && away <= uncertainty + at_last) {
+            best = {&cluster, i, uncertainty};
+        }
+    }
+    return best;
+}
+
+std::pair<mpfr, double> exponent_at(const root_cluster& cluster, std::size_t at) {
+    const root_consensus& found = *cluster.history[at];
+    const double width = std::max({found.exponent_spread, found.exponent_step, 1e-50});
+    if (found.exact && found.spread < 1e-45 && width < 1e-6) {
+        return {found.exponent, widening * width};
+    }
+    const auto drift = drift_of(cluster, at, [](const root_consensus& a, const root_consensus& b) {
+        return std::abs(mpfr(a.exponent - b.exponent).convert_to<double>());
+    });
+    return {found.exponent, widening * (drift ? std::max(width, *drift) : 5 * width)};
+}
+
+singularity_kind kind_at(const root_cluster& cluster, std::size_t at) {
+    const singularity_kind kind = kind_alone(cluster, at);
+    if (cluster.history[at]->exact) {
+        return kind;
+    }
+    int held = 0;
+    for (std::size_t i = at; i-- > 0 && held < 2;) {
+        if (!cluster.history[i] || kind_alone(cluster, i) != kind) {
+            return singularity_kind::unknown;
+        }
+        ++held;
+    }
+    return held == 2 ? kind : singularity_kind::unknown;
+}
+
+std::vector<const root_cluster*> strong_clusters(const approximant_family& family,
+                                                 const std::vector<root_cluster>& clusters, double least) {
+    std::vector<const root_cluster*> strong;
+    for (const auto& each : clusters) {
+        if (each.now().share >= least || (each.now().share >= 4 && is_persistent(each))) {
+            strong.push_back(&each);
+        }
+    }
+    std::ranges::stable_sort(strong, {}, [](const auto* each) { return each->now().modulus(); });
+    const auto may_be_apparent = [](const root_consensus& at) {
+        return at.exact && at.is_regular_type() && std::abs(at.exponent.convert_to<double>()) < 9;
+    };
+    while (!strong.empty() && may_be_apparent(strong.front()->now()) &&
+           is_apparent(family, strong.front()->now(), strong.size() > 1 ? &strong[1]->now() : nullptr)) {
+        strong.erase(strong.begin());
+    }
+    return strong;
+}
+
+std::vector<placed_cluster> ring_of(const std::vector<const root_cluster*>& strong) {
+    std::vector<placed_cluster> all;
+    for (const auto* each : strong) {
+        all.push_back(placed(*each));
+    }
+    const placed_cluster nearest = *std::ranges::min_element(all, {}, &placed_cluster::upper);
+    std::vector<placed_cluster> ring;
+    for (const auto& each : all) {
+        if (each.lower() <= nearest.upper() &&
+            (each.of == nearest.of || each.uncertainty < 1e-40 || is_related(nearest, each))) {
+            ring.push_back(each);
+        }
+    }
+    std::ranges::stable_sort(ring, [](const auto& a, const auto& b) {
+        if (a.uncertainty != b.uncertainty) {
+            return a.uncertainty < b.uncertainty;
+        }
+        return a.consensus().exponent < b.consensus().exponent;
+    });
+    return ring;
+}
+
+std::optional<double> doubtful_nearer(const approximant_family& family, const std::vector<root_cluster>& clusters,
+                                      double below) {
+    for (const auto* each : strong_clusters(family, clusters, 3)) {
+        const double width = width_of(each->now());
+        if (each->now().share < found_share && width < 0.01 && each->now().modulus() * (1 + 4 * width) < below) {
+            return each->now().modulus();
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace libration::convergence

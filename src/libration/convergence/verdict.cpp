@@ -1,0 +1,379 @@
+#include "libration/convergence/verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "cluster_answer.hpp"
+#include "hold_out.hpp"
+#include "libration/convergence/strided_series.hpp"
+#include "libration/scalar/decimal.hpp"
+#include "list_growth.hpp"
+
+namespace libration::convergence {
+
+namespace {
+
+constexpr int fewest_coefficients = 12;
+constexpr double finest_uncertainty = 1e-50;
+constexpr double strong_share = 10;
+
+// A family, its clusters, and those of them that count.
+struct examined_list {
+    approximant_family family;
+    std::vector<root_cluster> clusters;
+    std::vector<const root_cluster*> strong;
+};
+
+std::unique_ptr<examined_list> examined(std::span<const mpfr> b, const task_runner& run) {
+    auto found = std::make_unique<examined_list>();
+    const precision_scope scope(decimal_digits(bits_for(static_cast<int>(b.size()))));
+    found->family = family_of(b, run);
+    found->clusters = clusters_of(found->family);
+    found->strong = strong_clusters(found->family, found->clusters);
+    return found;
+}
+
+// The whole list, or the longest of its first 80, 62, 48, 37 and 28 % with a strong cluster; otherwise the whole list.
+std::unique_ptr<examined_list> examined_with_cuts(std::span<const mpfr> b, const task_runner& run) {
+    std::unique_ptr<examined_list> whole;
+    const double last = static_cast<double>(b.size()) - 1;
+    for (const double part : {1.0, 0.8, 0.62, 0.48, 0.37, 0.28}) {
+        const auto kept = static_cast<std::size_t>(std::lround(part * last)) + 1;
+        if (kept < fewest_coefficients) {
+            break;
+        }
+        auto found = examined(b.first(kept), run);
+        if (!found->strong.empty()) {
+            return found;
+        }
+        whole = whole ? std::move(whole) : std::move(found);
+    }
+    return whole;
+}
+
+class verdict_builder {
+public:
+    verdict_builder(const series_list& list, const task_runner& run) : list_(list), run_(run) {}
+
+    list_verdict verdict() {
+        const precision_scope scope(decimal_digits(bits_for(list_.order()) + 64));
+        find_pattern();
+        if (found_.pattern.last < 0 || found_.pattern.polynomial) {
+            found_.note = found_.pattern.text();
+            return std::move(found_);
+        }
+        const bool examine = static_cast<int>(b_.size()) >= fewest_coefficients && !found_.pattern.lacunary;
+        if (examine) {
+            hold_out();
+        }
+        const auto growth = size_growth_of(b_);
+        gamma_ = growth ? growth->gamma : 0;
+        const auto examined = examine ? examined_with_cuts(b_, run_) : nullptr;
+        const bool strong = examined && !examined->strong.empty();
+        if (strong) {
+            take(*examined);
+        }
+        if (strong && (relative_uncertainty() < 0.03 || std::abs(gamma_) < 0.15)) {
+            return std::move(found_);
+        }
+        if (examine && take_factorial_growth(strong)) {
+            return std::move(found_);
+        }
+        if (!strong) {
+            take_growth_alone(examined.get());
+        }
+        return std::move(found_);
+    }
+
+private:
+    void find_pattern() {
+        std::vector<mpfr> scaled = in_unit(list_.values, level_unit(list_.values), bits_for(list_.order()));
+        found_.pattern = pattern_of(series::power_series<mpfr>(scaled), mpfr(std::min(list_.zero, 1e-10)));
+        stride_ = found_.pattern.stride;
+        first_ = found_.pattern.first % stride_;
+        for (int n = first_; n <= list_.order(); n += stride_) {
+            b_.push_back(list_.values[static_cast<std::size_t>(n)]);
+        }
+        found_.used = list_.order();
+    }
+
+    int index_of(int k) const { return first_ + stride_ * k; }
+
+    // The predictability of the coefficients, and the one that is wrong: the verdict is then based on those before it.
+    void hold_out() {
+        const int last = static_cast<int>(b_.size()) - 1;
+        const auto errors = prediction_errors(b_, std::max(fewest_coefficients, last / 3), run_);
+        if (const auto at = errors.find(last); at != errors.end()) {
+            found_.prediction = at->second;
+        }
+        found_.suspect = find_suspect(b_, errors, run_);
+        if (found_.suspect) {
+            const int k = found_.suspect->index;
+            found_.suspect->index = index_of(k);
+            if (k >= fewest_coefficients) {
+                b_.resize(static_cast<std::size_t>(k));
+            }
+        }
+    }
+
+    double relative_uncertainty() const { return mpfr(found_.uncertainty / *found_.radius).convert_to<double>(); }
+
+    mpfr in_x(const mpfr& y) const { return stride_root(y, stride_); }
+
+    ring_member member_of(const placed_cluster& each, const mpfr& unit) const {
+        const root_consensus& at = each.consensus();
+        const complex_number<mpfr> w{mpfr(at.position.re * unit), mpfr(at.position.im * unit)};
+        ring_member member{.position = stride_root(w, stride_), .uncertainty = mpfr(0)};
+        member.uncertainty = modulus_of(member.position) * each.uncertainty / stride_;
+        const auto [exponent, uncertainty] = exponent_at(*each.of, each.at);
+        member.kind = kind_at(*each.of, each.at);
+        if (member.kind != singularity_kind::irregular && uncertainty < 10) {
+            member.exponent = exponent;
+            member.exponent_uncertainty = mpfr(uncertainty);
+        }
+        return member;
+    }
+
+    void take(const examined_list& by) {
+        const mpfr unit = widen(by.family.unit);
+        auto ring = ring_of(by.strong);
+        for (auto& each : ring) {
+            each.uncertainty =
+                std::max({each.uncertainty, finest_uncertainty, each.consensus().exact ? list_.noise : 0});
+            found_.ring.push_back(member_of(each, unit));
+            found_.count += each.consensus().position.im == 0 ? stride_ : 2 * stride_;
+        }
+        const placed_cluster& lead = ring.front();
+        const ring_member& first = found_.ring.front();
+        found_.growth = growth_class::finite;
+        found_.position = first.position;
+        found_.radius = modulus_of(first.position);
+        found_.uncertainty = first.uncertainty;
+        found_.exponent = first.exponent;
+        found_.exponent_uncertainty = first.exponent_uncertainty;
+        found_.kind = first.kind;
+        found_.exact = lead.consensus().exact;
+        if (lead.consensus().type > 20) {
+            found_.second_exponent = lead.consensus().second;
+        }
+        found_.used = index_of(lead.consensus().length);
+        add_history(*lead.of, unit);
+        add_family(lead.consensus(), unit);
+        widen_drifting(lead);
+        describe(by, lead);
+        const double below = lead.lower();
+        if (lead.uncertainty > 1e-40) {
+            if (const auto nearer = doubtful_nearer(by.family, by.clusters, below)) {
+                const mpfr radius = in_x(mpfr(unit * *nearer));
+                found_.uncertainty = std::max(found_.uncertainty, mpfr(abs(*found_.radius - radius) * 11 / 10));
+                found_.note += "; doubtful nearer cluster at " + to_decimal(radius, 6);
+            }
+        }
+    }
+
+    void add_history(const root_cluster& cluster, const mpfr& unit) {
+        for (std::size_t i = 0; i < cluster.history.size(); ++i) {
+            if (cluster.history[i]) {
+                const mpfr radius = in_x(mpfr(modulus_of(cluster.history[i]->position) * unit));
+                const double relative = std::max(position_uncertainty(cluster, i), finest_uncertainty);
+                found_.history.push_back(
+                    {index_of(cluster.history[i]->length), radius, mpfr(radius * relative / stride_)});
+            }
+        }
+    }
+
+    void add_family(const root_consensus& lead, const mpfr& unit) {
+        const double y = lead.place().real();
+        found_.slope = lead.slope * y * stride_;
+        found_.residual = lead.residual;
+        if (lead.position.im == 0 && stride_ == 1) {
+            for (const auto& each : lead.members) {
+                found_.family.emplace_back(each.real() * unit.convert_to<double>(), each.imag());
+            }
+        }
+    }
+
+    // An exponent that moves in one direction over three lengths by more than its spread may go on to do so.
+    void widen_drifting(const placed_cluster& lead) {
+        const auto& history = lead.of->history;
+        if (!found_.exponent || lead.consensus().exact || lead.at < 3) {
+            return;
+        }
+        std::vector<double> moves;
+        for (std::size_t i = lead.at - 2; i <= lead.at; ++i) {
+            if (!history[i] || !history[i - 1]) {
+                return;
+            }
+            moves.push_back(mpfr(history[i]->exponent - history[i - 1]->exponent).convert_to<double>());
+        }
+        const double total = moves[0] + moves[1] + moves[2];
+        const bool one_way = moves[0] * moves[1] > 0 && moves[1] * moves[2] > 0;
+        if (one_way &&
+            std::abs(total) > 4 * std::max(lead.consensus().exponent_spread, lead.consensus().exponent_step)) {
+            for (const auto& each : history) {
+                if (each && each->share >= strong_share) {
+                    const mpfr moved = abs(mpfr(each->exponent - *found_.exponent));
+                    found_.exponent_uncertainty = std::max(found_.exponent_uncertainty, moved);
+                }
+            }
+            drifts_ = true;
+        }
+    }
+
+    void describe(const examined_list& by, const placed_cluster& lead) {
+        const root_consensus& at = lead.consensus();
+        found_.note = at.exact ? "the list satisfies a linear differential equation"
+                               : std::to_string(at.members.size()) + " differential approximants agree";
+        const int all = index_of(static_cast<int>(b_.size()) - 1);
+        if (found_.used < all) {
+            found_.note += "; from the first " + std::to_string(found_.used + 1) + " coefficients";
+            const auto& now = by.strong.empty() ? at : lead.of->now();
+            const double moved = now.distance_to(at) / at.modulus();
+            if (&now != &at && moved > position_uncertainty(*lead.of, lead.at)) {
+                found_.note += ", which the later ones contradict";
+            }
+        }
+        if (drifts_) {
+            found_.note += "; the exponent drifts: confluent corrections are likely";
+        }
+        if (found_.suspect) {
+            found_.note += "; without coefficient " + std::to_string(found_.suspect->index) + " and the later ones";
+        }
+    }
+
+    // The Borel transform of order s whose singularity is the sharpest. It replaces a radius only if it is two digits
+    // sharper than that.
+    bool take_factorial_growth(bool has_radius) {
+        if (std::abs(gamma_) <= 0.12) {
+            return false;
+        }
+        double best_score = 0;
+        std::unique_ptr<examined_list> best;
+        rational best_order;
+        for (const rational& order : gevrey_orders_near(gamma_)) {
+            const rational s = gamma_ > 0 ? order : rational(-order);
+            auto found = examined(without_factorials(b_, s, bits_for(static_cast<int>(b_.size()))), run_);
+            if (found->strong.empty()) {
+                continue;
+            }
+            const placed_cluster at = placed(*found->strong.front());
+            const double uncertainty = std::max(at.uncertainty, finest_uncertainty);
+            const double score = -std::log10(uncertainty) + 0.3 * std::log10(at.consensus().share);
+            if (!best || score > best_score + 0.5) {
+                best_score = score;
+                best = std::move(found);
+                best_order = s;
+            }
+        }
+        if (!best || (has_radius && -std::log10(relative_uncertainty()) >= best_score - 2)) {
+            return false;
+        }
+        take_action(*best, best_order);
+        return true;
+    }
+
+    void take_action(const examined_list& by, const rational& s) {
+        const placed_cluster at = placed(*by.strong.front());
+        const double relative = std::max({at.uncertainty, finest_uncertainty, at.consensus().exact ? list_.noise : 0});
+        const ring_member member = member_of(at, widen(by.family.unit));
+        list_verdict none;
+        none.pattern = found_.pattern;
+        none.suspect = std::move(found_.suspect);
+        none.prediction = found_.prediction;
+        found_ = std::move(none);
+        found_.growth = s > 0 ? growth_class::zero : growth_class::infinite;
+        found_.gevrey = s / stride_;
+        found_.action = member.position;
+        found_.action_uncertainty = modulus_of(member.position) * relative / stride_;
+        found_.exponent = member.exponent;
+        found_.exponent_uncertainty = member.exponent_uncertainty;
+        found_.exact = at.consensus().exact;
+        found_.used = index_of(at.consensus().length);
+        found_.note = s > 0 ? "the coefficients grow like factorials" : "the coefficients fall like inverse factorials";
+    }
+
+    void take_growth_alone(const examined_list* examined) {
+        constexpr int fewest_for_growth = 30;
+        const bool no_roots = examined != nullptr && examined->family.is_exact() && !examined->family.has_exact_root();
+        if (no_roots && gamma_ < -0.12) {
+            found_.growth = growth_class::infinite;
+            found_.exact = true;
+            found_.note = "the list satisfies a linear differential equation without finite singularities";
+            return;
+        }
+        if (std::abs(gamma_) > 0.3 && list_.order() >= fewest_for_growth && is_steady_growth(b_, gamma_)) {
+            found_.growth = gamma_ > 0 ? growth_class::zero : growth_class::infinite;
+            found_.note = gamma_ > 0 ? "by growth alone: the coefficients grow faster than any power R^-n"
+                                     : "by growth alone: the coefficients fall faster than any power R^-n";
+            return;
+        }
+        if (const auto envelope = envelope_of(list_.values)) {
+            found_.growth = growth_class::finite;
+            found_.radius = exp(mpfr(envelope->log_radius));
+            found_.uncertainty = *found_.radius * envelope->uncertainty;
+            found_.kind = found_.pattern.lacunary ? singularity_kind::boundary : singularity_kind::unknown;
+            found_.bound = gamma_ < -0.1  ? radius_bound::at_least
+                           : gamma_ > 0.1 ? radius_bound::at_most
+                                          : radius_bound::none;
+            found_.note =
+                "no singularity that a linear differential equation describes is seen; the radius is from the "
+                "sizes of the coefficients alone";
+        } else {
+            found_.note = "too few coefficients";
+        }
+    }
+
+    const series_list& list_;
+    const task_runner& run_;
+    std::vector<mpfr> b_;  ///< the coefficients of the class that the pattern found
+    int stride_ = 1;
+    int first_ = 0;
+    double gamma_ = 0;
+    bool drifts_ = false;
+    list_verdict found_;
+};
+
+}  // namespace
+
+std::vector<predicted_coefficient> predictions_for(const series_list& list, int count, const task_runner& run) {
+    const precision_scope scope(decimal_digits(bits_for(list.order()) + 64));
+    const auto scaled = in_unit(list.values, level_unit(list.values), bits_for(list.order()));
+    const auto pattern = pattern_of(series::power_series<mpfr>(scaled), mpfr(std::min(list.zero, 1e-10)));
+    std::vector<mpfr> b;
+    const int first = pattern.first % pattern.stride;
+    for (int n = first; n <= list.order(); n += pattern.stride) {
+        b.push_back(list.values[static_cast<std::size_t>(n)]);
+    }
+    std::vector<predicted_coefficient> found;
+    const auto in_class = predictions(b, count / pattern.stride + 1, run);
+    for (int n = list.order() + 1; n <= list.order() + count; ++n) {
+        if (n % pattern.stride != first) {
+            found.push_back({n, mpfr(0), mpfr(0)});
+            continue;
+        }
+        const int k = (n - first) / pattern.stride;
+        const auto at = std::ranges::find(in_class, k, &predicted_coefficient::index);
+        if (at == in_class.end()) {
+            break;
+        }
+        found.push_back({n, at->value, at->uncertainty});
+    }
+    return found;
+}
+
+std::optional<exponent_estimate> biased_exponent(const list_verdict& verdict, const mpfr& x) {
+    if (!verdict.exponent || !verdict.position || verdict.position->im != 0) {
+        return std::nullopt;
+    }
+    constexpr int widening = 8;
+    const mpfr moved = x / verdict.position->re - 1;
+    return exponent_estimate{mpfr(*verdict.exponent + moved * verdict.slope), mpfr(widening * verdict.residual)};
+}
+
+list_verdict verdict_on(const series_list& list, const task_runner& run) {
+    return verdict_builder(list, run).verdict();
+}
+
+}  // namespace libration::convergence

@@ -1,0 +1,407 @@
+#include "libration/convergence/vote.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <set>
+#include <utility>
+
+namespace libration::convergence {
+
+namespace {
+
+constexpr double finest_step = 1e-58;
+constexpr std::size_t fewest_voters = 3;
+
+std::complex<double> place_of(const complex_number<mpfr>& z) {
+    return {z.re.convert_to<double>(), z.im.convert_to<double>()};
+}
+
+double distance(const complex_number<mpfr>& a, const complex_number<mpfr>& b) { return std::abs(place_of(a - b)); }
+
+double distance(const mpfr& a, const mpfr& b) { return std::abs(mpfr(a - b).convert_to<double>()); }
+
+// ---- clusters
+
+struct recurring_root {
+    std::complex<double> at;
+    double distance;  // to the roots of half of the other fits
+};
+
+using rows_of_places = std::vector<std::vector<std::complex<double>>>;
+
+// The roots of each fit at N, N - 1 and N - 2 that has any; only of the exact ones if there are three.
+rows_of_places last_roots(const approximant_family& family) {
+    rows_of_places all;
+    rows_of_places exact;
+    for (const auto& fit : family.fits) {
+        if (fit.length < family.order - 2 || fit.roots.empty()) {
+            continue;
+        }
+        std::vector<std::complex<double>> places;
+        for (const auto& root : fit.roots) {
+            places.push_back(place_of(root.position));
+        }
+        if (fit.exact) {
+            exact.push_back(places);
+        }
+        all.push_back(std::move(places));
+    }
+    return exact.size() >= fewest_voters ? exact : all;
+}
+
+double nearest_distance(const std::vector<std::complex<double>>& places, const std::complex<double>& z) {
+    double best = std::numeric_limits<double>::infinity();
+    for (const auto& place : places) {
+        best = std::min(best, std::abs(place - z));
+    }
+    return best;
+}
+
+std::vector<recurring_root> recurring_roots(const rows_of_places& fits) {
+    constexpr std::size_t most = 12;
+    if (fits.size() < fewest_voters) {
+        return {};
+    }
+    const std::size_t half = std::max<std::size_t>(2, fits.size() / 2);
+    std::vector<recurring_root> all;
+    std::vector<double> to_others;
+    for (std::size_t i = 0; i < fits.size(); ++i) {
+        for (const auto& z : fits[i]) {
+            to_others.clear();
+            for (std::size_t k = 0; k < fits.size(); ++k) {
+                if (k != i) {
+                    to_others.push_back(nearest_distance(fits[k], z));
+                }
+            }
+            const auto middle = to_others.begin() + static_cast<std::ptrdiff_t>(half - 1);
+            std::ranges::nth_element(to_others, middle);
+            all.push_back({z, *middle});
+        }
+    }
+    std::ranges::stable_sort(
+        all, [](const auto& a, const auto& b) { return a.distance * std::abs(b.at) < b.distance * std::abs(a.at); });
+    std::vector<recurring_root> found;
+    for (const auto& each : all) {
+        const double size = std::abs(each.at);
+        const double d = std::max(each.distance, 1e-15 * size);
+        if (d > 0.06 * size || found.size() == most) {
+            break;
+        }
+        const bool taken = std::ranges::any_of(found, [&](const auto& other) {
+            const double apart = std::abs(each.at - other.at);
+            return apart < std::max({3 * d, 3 * other.distance, 1e-9 * size}) || d > 0.4 * apart;
+        });
+        if (!taken) {
+            found.push_back({each.at, d});
+        }
+    }
+    return found;
+}
+
+// How far the votes for a cluster may lie from its centre.
+double territory_of(const recurring_root& cluster, const std::vector<recurring_root>& all) {
+    double size = std::abs(cluster.at) / 4;
+    for (const auto& other : all) {
+        if (const double away = std::abs(cluster.at - other.at); away > 0) {
+            size = std::min(size, 0.4 * away);
+        }
+        if (const double away = std::abs(cluster.at - std::conj(other.at));
+            away > std::max(3 * cluster.distance, 1e-9)) {
+            size = std::min(size, 0.4 * away);
+        }
+    }
+    return std::max(size, 3 * cluster.distance);
+}
+
+// ---- consensus
+
+struct voter {
+    double step;
+    double exponent_step;
+    const differential_root* root;
+    bool exact;
+};
+
+// The types of roots of a fit near a place, and the nearest root of each; of an exact equation the single one that the
+// multiplicity of the place determines.
+std::map<int, const differential_root*> candidates(const differential_fit& fit, const std::complex<double>& centre,
+                                                   double territory) {
+    std::map<int, const differential_root*> nearest;
+    const auto away = [&](const differential_root* root) { return std::abs(place_of(root->position) - centre); };
+    for (const auto& root : fit.roots) {
+        if (away(&root) < territory) {
+            auto& best = nearest[root.type()];
+            best = best == nullptr || away(&root) < away(best) ? &root : best;
+        }
+    }
+    if (!fit.exact || nearest.size() < 2) {
+        return nearest;
+    }
+    const auto first = std::ranges::min_element(nearest, {}, [&](const auto& each) { return away(each.second); });
+    const auto middle = place_of(first->second->position);
+    std::vector<const differential_root*> here;
+    for (const auto& root : fit.roots) {
+        if (std::abs(place_of(root.position) - middle) < 1e-6 * std::abs(centre)) {
+            here.push_back(&root);
+        }
+    }
+    const auto* best = *std::ranges::max_element(
+        here, {}, [](const auto* root) { return std::pair(root->lower, root->multiplicity); });
+    if (best->type() == 21) {  // beside a confirmed simple root
+        const auto simple = std::ranges::find_if(here, [](const auto* root) { return root->type() == 11; });
+        best = simple != here.end() ? *simple : best;
+    }
+    return {{best->type(), best}};
+}
+
+double root_mean_square(double a, double b) { return std::sqrt((a * a + b * b) / 2); }
+
+// The voters at a length: of each track and type the root at it and at the two lengths before.
+std::vector<voter> voters_at(const approximant_family& family, int length, const std::complex<double>& centre,
+                             double territory) {
+    std::map<std::pair<std::size_t, int>, std::map<int, std::pair<const differential_root*, bool>>> by_track;
+    for (const auto& fit : family.fits) {
+        if (fit.length > length - 3 && fit.length <= length) {
+            for (const auto& [type, root] : candidates(fit, centre, territory)) {
+                by_track[{fit.track, type}][fit.length] = {root, fit.exact};
+            }
+        }
+    }
+    std::vector<voter> voters;
+    for (const auto& [track, by_length] : by_track) {
+        const auto& [root, exact] = by_length.rbegin()->second;
+        if (exact) {
+            voters.push_back({finest_step, finest_step, root, true});
+        } else if (by_length.size() == 3) {
+            const auto* const before = by_length.at(length - 1).first;
+            const auto* const first = by_length.at(length - 2).first;
+            voters.push_back({std::max(finest_step, root_mean_square(distance(root->position, before->position),
+                                                                     distance(before->position, first->position))),
+                              root_mean_square(distance(root->exponent.re, before->exponent.re),
+                                               distance(before->exponent.re, first->exponent.re)),
+                              root, false});
+        }
+    }
+    std::ranges::stable_sort(voters, {}, &voter::step);
+    return voters;
+}
+
+// Only the exact voters if there are three; of those only the regular ones if there are three.
+void keep_qualified(std::vector<voter>& voters) {
+    constexpr std::size_t most = 60;
+    const auto keep_if_three = [&](auto qualified) {
+        if (std::ranges::count_if(voters, qualified) >= static_cast<std::ptrdiff_t>(fewest_voters)) {
+            std::erase_if(voters, [&](const auto& each) { return !qualified(each); });
+            return true;
+        }
+        return false;
+    };
+    if (keep_if_three([](const voter& v) { return v.exact; })) {
+        keep_if_three([](const voter& v) { return v.root->is_regular(); });
+    }
+    voters.resize(std::min(voters.size(), most));
+}
+
+// The value at which the weights of those up to it reach half of all.
+template <class T>
+T weighted_median(const std::vector<T>& values, const std::vector<double>& weights) {
+    std::vector<std::size_t> order(values.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, [&](std::size_t i, std::size_t k) { return values[i] < values[k]; });
+    const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
+    double sum = 0;
+    for (const std::size_t i : order) {
+        sum += weights[i];
+        if (sum >= total / 2) {
+            return values[i];
+        }
+    }
+    return values[order.back()];
+}
+
+double weighted_quantile(const std::vector<double>& values, const std::vector<double>& weights, double part) {
+    std::vector<std::size_t> order(values.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, [&](std::size_t i, std::size_t k) { return values[i] < values[k]; });
+    const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
+    double sum = 0;
+    for (const std::size_t i : order) {
+        sum += weights[i];
+        if (sum >= part * total) {
+            return values[i];
+        }
+    }
+    return values[order.back()];
+}
+
+double median(std::vector<double> values) {
+    std::ranges::sort(values);
+    const std::size_t n = values.size();
+    return n % 2 == 1 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
+}
+
+// The leader of the vote, and the log of its share.
+std::pair<std::size_t, double> leader_of(const std::vector<voter>& voters, double territory) {
+    constexpr double width = 4;
+    constexpr double trust = 0.7;
+    std::pair<std::size_t, double> best{0, -std::numeric_limits<double>::infinity()};
+    for (std::size_t i = 0; i < voters.size(); ++i) {
+        double sum = 0;
+        for (const auto& other : voters) {
+            const double apart = distance(voters[i].root->position, other.root->position) / (width * other.step);
+            sum += std::log(trust * territory / (width * other.step) / std::pow(1 + apart * apart, 1.5) + 1 - trust);
+        }
+        if (sum > best.second) {
+            best = {i, sum};
+        }
+    }
+    best.second /= static_cast<double>(voters.size());
+    return best;
+}
+
+// Those within 12 of their own steps of the leader.
+std::vector<voter> members_of(const std::vector<voter>& voters, const voter& leader) {
+    constexpr double within = 12;
+    std::vector<voter> members;
+    for (const auto& each : voters) {
+        if (distance(leader.root->position, each.root->position) <= within * each.step) {
+            members.push_back(each);
+        }
+    }
+    return members;
+}
+
+// The members whose steps are at most ten times the third smallest, at most 15.
+std::vector<voter> top_of(const std::vector<voter>& members) {
+    constexpr std::size_t most = 15;
+    std::vector<voter> top;
+    for (const auto& each : members) {
+        if (each.step <= 10 * members[2].step && top.size() < most) {
+            top.push_back(each);
+        }
+    }
+    return top;
+}
+
+void add_exponents(root_consensus& found, const std::vector<voter>& top, const std::vector<double>& weights) {
+    std::vector<mpfr> exponents;
+    std::vector<double> steps;
+    std::vector<double> second;
+    std::map<int, int> types;
+    int irregular = 0;
+    for (const auto& each : top) {
+        exponents.push_back(each.root->exponent.re);
+        steps.push_back(each.exponent_step);
+        second.push_back(each.root->second.value_or(0));
+        ++types[each.root->type()];
+        irregular += each.root->irregular ? 1 : 0;
+    }
+    found.exponent = weighted_median(exponents, weights);
+    std::vector<double> away;
+    for (const mpfr& each : exponents) {
+        away.push_back(distance(each, found.exponent));
+    }
+    found.exponent_spread = weighted_quantile(away, weights, 0.75);
+    found.exponent_step = median(steps);
+    found.second = median(second);
+    found.type = std::ranges::max_element(types, {}, [](const auto& each) { return each.second; })->first;
+    found.irregular = 2 * irregular > static_cast<int>(top.size());
+}
+
+void add_members(root_consensus& found, const std::vector<voter>& members) {
+    double products = 0;
+    double squares = 0;
+    for (const auto& each : members) {
+        const double x = mpfr(each.root->position.re - found.position.re).convert_to<double>();
+        const double y = mpfr(each.root->exponent.re - found.exponent).convert_to<double>();
+        products += x * y;
+        squares += x * x;
+        found.members.emplace_back(each.root->position.re.convert_to<double>(),
+                                   each.root->exponent.re.convert_to<double>());
+    }
+    found.slope = squares > 0 ? products / squares : 0;
+    std::vector<double> residuals;
+    for (const auto& each : members) {
+        const double x = mpfr(each.root->position.re - found.position.re).convert_to<double>();
+        const double y = mpfr(each.root->exponent.re - found.exponent).convert_to<double>();
+        residuals.push_back(std::abs(y - found.slope * x));
+    }
+    found.residual = median(residuals);
+}
+
+std::optional<root_consensus> consensus_at(const approximant_family& family, int length,
+                                           const std::complex<double>& centre, double territory) {
+    auto voters = voters_at(family, length, centre, territory);
+    if (voters.size() < fewest_voters) {
+        return std::nullopt;
+    }
+    keep_qualified(voters);
+    const auto [lead, log_share] = leader_of(voters, territory);
+    const auto members = members_of(voters, voters[lead]);
+    if (members.size() < fewest_voters) {
+        return std::nullopt;
+    }
+    const auto top = top_of(members);
+    std::vector<double> weights;
+    std::vector<mpfr> re;
+    std::vector<mpfr> im;
+    std::vector<double> steps;
+    for (const auto& each : top) {
+        weights.push_back(1 / each.step);
+        re.push_back(each.root->position.re);
+        im.push_back(each.root->position.im);
+        steps.push_back(each.step);
+    }
+    root_consensus found;
+    found.length = length;
+    found.position = {weighted_median(re, weights), weighted_median(im, weights)};
+    std::vector<double> away;
+    for (const auto& each : top) {
+        away.push_back(distance(each.root->position, found.position));
+    }
+    found.spread = weighted_quantile(away, weights, 0.75);
+    found.step = median(steps);
+    found.share = std::exp(log_share);
+    found.exact = std::ranges::any_of(top, &voter::exact);
+    add_exponents(found, top, weights);
+    add_members(found, members);
+    return found;
+}
+
+}  // namespace
+
+double root_consensus::distance_to(const root_consensus& other) const { return distance(position, other.position); }
+
+std::vector<root_cluster> clusters_of(const approximant_family& family) {
+    const auto found = recurring_roots(last_roots(family));
+    const double reach = family.is_exact() ? 10 : 1.6;
+    double nearest = std::numeric_limits<double>::infinity();
+    double nearest_sharp = nearest;
+    for (const auto& each : found) {
+        nearest = std::min(nearest, std::abs(each.at));
+        if (each.distance < 0.01 * std::abs(each.at)) {
+            nearest_sharp = std::min(nearest_sharp, std::abs(each.at));
+        }
+    }
+    const double limit = reach * (std::isfinite(nearest_sharp) ? nearest_sharp : nearest);
+    std::vector<root_cluster> clusters;
+    for (const auto& each : found) {
+        if (each.at.imag() < -1e-12 * std::abs(each.at) || std::abs(each.at) > limit) {
+            continue;
+        }
+        root_cluster cluster{each.at, each.distance, {}};
+        const double territory = territory_of(each, found);
+        for (const int length : family.lengths) {
+            cluster.history.push_back(consensus_at(family, length, each.at, territory));
+        }
+        if (cluster.history.back()) {
+            clusters.push_back(std::move(cluster));
+        }
+    }
+    return clusters;
+}
+
+}  // namespace libration::convergence
