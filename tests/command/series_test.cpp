@@ -51,17 +51,56 @@ void check_refused(const words& line, const words& mentioned) {
 
 TEST_CASE("series evaluates a list by its partial sum and by its Pade approximant", "[command][series]") {
     const auto rows = rows_about(exponential(5), {"--times", "0,1,-1/2", "--digits", "20"});
-    REQUIRE(rows.size() == 6);
-    CHECK(rows[0].at("method") == "series");
-    CHECK(rows[0].at("value") == "1.0000000000000000000");
-    CHECK(rows[1].at("value") == "2.7083333333333333333");   // 65/24
-    CHECK(rows[2].at("value") == "0.60677083333333333333");  // 233/384
-    CHECK(rows[4].at("method") == "pade");
-    CHECK(rows[4].at("value") == "2.7142857142857142857");   // [2/2] of e^t at 1: 19/7
-    CHECK(rows[5].at("value") == "0.60655737704918032787");  // at -1/2: (1 - 1/4 + 1/48)/(1 + 1/4 + 1/48) = 37/61
-    CHECK(rows[5].at("time") == "-0.5");
-    CHECK(rows[5].at("time_typed") == "-1/2");
-    CHECK(rows[5].at("order") == "4");
+    REQUIRE(rows.size() == 9);
+    CHECK(rows[3].at("method") == "series");
+    CHECK(rows[3].at("value") == "1.0000000000000000000");
+    CHECK(rows[4].at("value") == "2.7083333333333333333");   // 65/24
+    CHECK(rows[4].at("uncertainty") == "0.208");             // 1/6 + 1/24
+    CHECK(rows[5].at("value") == "0.60677083333333333333");  // 233/384
+    CHECK(rows[7].at("method") == "pade");
+    CHECK(rows[7].at("value") == "2.7142857142857142857");   // [2/2] of e^t at 1: 19/7
+    CHECK(rows[8].at("value") == "0.60655737704918032787");  // at -1/2: (1 - 1/4 + 1/48)/(1 + 1/4 + 1/48) = 37/61
+    CHECK(rows[8].at("time") == "-0.5");
+    CHECK(rows[8].at("time_typed") == "-1/2");
+    CHECK(rows[8].at("order") == "4");
+}
+
+TEST_CASE("the verdict comes first, with an uncertainty that holds and without uncertain digits", "[command][series]") {
+    const precision_scope scope(60);
+    std::string list = "0\n";  // log(1 + t)
+    for (int n = 1; n < 21; ++n) {
+        list += (n % 2 == 0 ? "-1/" : "1/") + std::to_string(n) + "\n";
+    }
+    const auto rows = rows_about(list, {"--times", "0,1/2,3,-3", "--reference", "log((1+t)^2)/2"});
+    REQUIRE(rows.size() == 12);
+    CHECK(rows[0].at("value") == "0");
+    CHECK(rows[0].at("uncertainty") == "0");
+    for (const std::size_t i : {1U, 2U}) {
+        CHECK(rows[i].at("method") == "verdict");
+        CHECK(number_of(rows[i].at("error")) <= number_of(rows[i].at("uncertainty")));
+        CHECK(number_of(rows[i].at("uncertainty")) < mpfr("1e-18"));
+        CHECK_THAT(rows[i].at("methods"), Catch::Contains("pade"));
+        CHECK_THAT(rows[i].at("note"), Catch::StartsWith("heuristic"));
+    }
+    CHECK(rows[3].at("value").empty());
+    CHECK(rows[3].at("uncertainty").empty());
+    CHECK_THAT(rows[3].at("note"), Catch::StartsWith("no value: the singularity at -1.000"));
+    // The partial sum at 3 is far from log 4.
+    CHECK(number_of(rows[6].at("error")) <= number_of(rows[6].at("uncertainty")));
+}
+
+TEST_CASE("decimals have no more digits than they determine, and --method verdict is alone", "[command][series]") {
+    const precision_scope scope(60);
+    std::string list;  // 1/(1 - t/3) + 1/(1 + t/2) to five digits
+    for (int n = 0; n < 20; ++n) {
+        const mpfr a = pow(mpfr(3), -n) + pow(mpfr(-2), -n);
+        list += to_decimal(a, 5) + "\n";
+    }
+    const auto rows = rows_about(list, {"--times", "1,4", "--reference", "3/(3-t)+2/(2+t)", "--method", "verdict"});
+    REQUIRE(rows.size() == 2);
+    CHECK(number_of(rows[0].at("error")) <= number_of(rows[0].at("uncertainty")));
+    CHECK(rows[0].at("value").size() <= 7);
+    CHECK(rows[1].at("value").empty());  // beyond the pole at 3
 }
 
 TEST_CASE("an endpoint approximant reproduces the polynomial of degree N + m", "[command][series]") {
@@ -168,7 +207,7 @@ TEST_CASE("series draws an odd list in t^2, and where it is 0 at 0", "[command][
 TEST_CASE("series refuses what it cannot evaluate or compare", "[command][series][bad input]") {
     const words list{"--coefficients", "list.csv"};
     check_refused({"--coefficients", "missing.csv"}, {"--coefficients 'missing.csv'"});
-    check_refused(list + words{"--method", "euler"}, {"--method 'euler'", "write series"});
+    check_refused(list + words{"--method", "euler"}, {"--method 'euler'", "write verdict"});
     check_refused(list + words{"--method", "endpoint", "--times", "1"}, {"--endpoint"});
     check_refused(list + words{"--endpoint", "1"}, {"--endpoint-values"});
     check_refused(list + words{"--endpoint", "0", "--endpoint-values", "1"}, {"--endpoint '0'"});

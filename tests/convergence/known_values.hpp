@@ -212,7 +212,46 @@ inline known_value entire(value_draw& draw, int order) {
             x, mpfr(value * exp(mpfr(b * x)))};
 }
 
-/// Functions that satisfy no linear equation with polynomial coefficients.
+/// W(x/x0), x/x0 > -1/e: sum (-n)^(n-1)/n! (x/x0)^n [DLMF 4.13.5].
+inline known_value lambert(value_draw& draw, int order) {
+    const mpfr x0 = draw.thousandths(500, 3000) * draw.sign();
+    const mpfr w = draw.thousandths(-500, 1500);
+    coefficients a{mpfr(0)};
+    mpfr factor(1);
+    for (int n = 1; n <= order; ++n) {
+        factor /= x0 * n;
+        a.push_back(mpfr(pow(mpfr(-n), n - 1)) * factor);
+    }
+    return {"hard", "Lambert", a, mpfr(w * exp(w) * x0), w};
+}
+
+/// tanh(c x)/x: poles on the imaginary axis alone.
+inline known_value hyperbolic_tangent(value_draw& draw, int order) {
+    const mpfr c = draw.thousandths(500, 2000);
+    const mpfr x = draw.thousandths(200, 4000) * draw.sign();
+    const auto growing = exponential_of(polynomial({mpfr(0), mpfr(c * 2)}, order + 1));
+    coefficients above;  // (e^(2 c x) - 1)/x
+    coefficients below = growing;
+    below[0] += 1;
+    for (std::size_t n = 1; n < growing.size(); ++n) {
+        above.push_back(growing[n]);
+    }
+    below.pop_back();
+    return {"hard", "tanh", product_of(above, power_of(below, mpfr(-1))), x, mpfr(tanh(mpfr(c * x)) / x)};
+}
+
+/// exp(c (e^(b x) - 1)).
+inline known_value iterated_exponential(value_draw& draw, int order) {
+    const mpfr b = draw.thousandths(-1000, 1000);
+    const mpfr c = draw.thousandths(-1500, 1500);
+    const mpfr x = draw.thousandths(200, 3000) * draw.sign();
+    auto inner = exponential_of(polynomial({mpfr(0), b}, order));
+    inner[0] = 0;
+    return {"hard", "iterated exponential", exponential_of(scaled(inner, c)), x,
+            mpfr(exp(mpfr((exp(mpfr(b * x)) - 1) * c)))};
+}
+
+/// Functions of roots and logarithms, most of which satisfy no linear equation with polynomial coefficients.
 inline known_value hard(value_draw& draw, int order) {
     const mpfr x0 = draw.thousandths(500, 3000) * draw.sign();
     const mpfr c = draw.thousandths(300, 1200);
@@ -258,7 +297,7 @@ inline known_value two_points(value_draw& draw, int order) {
 inline known_value known_value_of(unsigned seed) {
     value_draw draw(seed);
     const int order = 20 + 10 * draw.between(0, 2);
-    switch (seed % 16) {
+    switch (seed % 20) {
         case 0:
         case 1: return power_times_exponential(draw, order, "inside");
         case 2:
@@ -274,6 +313,9 @@ inline known_value known_value_of(unsigned seed) {
         case 12: return pair(draw, order, "beyond");
         case 13: return entire(draw, order);
         case 14: return two_points(draw, order);
+        case 15: return lambert(draw, order);
+        case 16: return hyperbolic_tangent(draw, order);
+        case 17: return iterated_exponential(draw, order);
         default: return hard(draw, order);
     }
 }

@@ -30,9 +30,10 @@ struct series_value {
 long digits_of_list(int order);
 
 /// The values at real points; a[n] of the list is known to noise[n], absolutely, or exactly if `noise` is empty. Beyond
-/// nine tenths of the radius a value needs two kinds of methods that agree, and it is the one of the branch reached
-/// along the real axis; no value beyond a singularity on the way there, nor on a Stokes line, where the Borel transform
-/// is singular on the ray of the point. One verdict on the list, and for each point O(N) steps of O(N^2) operations.
+/// nine tenths of the radius a value needs two kinds of methods that agree, or two equations that the whole list
+/// satisfies, and it is the one of the branch reached along the real axis. No value if a singularity is between 0 and
+/// the point, on a Stokes line, where the Borel transform is singular on the ray of the point, and if a coefficient
+/// contradicts the others. One verdict on the list, and for each point O(N) steps of O(N^2) operations.
 std::vector<series_value> sums_of_list(const series_list& list, std::span<const mpfr> noise,
                                        std::span<const mpfr> points, const task_runner& run = run_in_order);
 

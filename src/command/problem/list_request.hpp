@@ -23,7 +23,7 @@ struct list_request {
     std::vector<exact> coefficients;  ///< a_0 .. a_N
     long digits;                      ///< to print
     std::vector<exact> times;
-    bool verdict;  ///< whether the value with an uncertainty is asked for, too
+    bool verdict;  ///< whether the value with an uncertainty is requested, too
     std::vector<list_method> methods;
     std::optional<exact> end;    ///< the other end of endpoint approximants
     std::vector<exact> at_end;   ///< f, f', f'', ... there

@@ -202,7 +202,11 @@ private:
         if (reduced_.values().size() < fewest_summed) {
             return no_value("there are too few coefficients");
         }
-        return singular_on_the_way(x);
+        if (verdict_.suspect && verdict_.suspect->confirmed) {
+            const int index = pattern.first + pattern.stride * verdict_.suspect->index;
+            return no_value("coefficient " + std::to_string(index) + " contradicts the others");
+        }
+        return singular_before(x);
     }
 
     // Three quarters of the coefficients up to the last nonzero one are nonzero, and twice as many zeros follow.
@@ -215,7 +219,7 @@ private:
         return pattern.order >= 3 * pattern.last + 3 && 4 * nonzero >= 3 * (pattern.last + 1);
     }
 
-    std::optional<series_value> singular_on_the_way(const mpfr& x) const {
+    std::optional<series_value> singular_before(const mpfr& x) const {
         const mpfr z = reduced_.point(x);
         if (verdict_.growth == growth_class::zero) {
             if (!verdict_.gevrey || *verdict_.gevrey <= 0) {
