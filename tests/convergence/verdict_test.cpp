@@ -74,7 +74,7 @@ TEST_CASE("the verdicts on published enumerations hold and are sharp", "[converg
                                 {"ising_square_low", "0.17157287525380990239662255158060", "0", -1.75, 1e-5},
                                 {"ising_triangular_high", "0.26794919243112270647255365849413", "0", -1.75, 1e-5},
                                 {"ising_honeycomb_high", "0.57735026918962576450914878050196", "0", -1.75, 1e-3},
-                                {"walks_triangular", "0.240917574", "2e-9", -43.0 / 32, 1e-3}})) {
+                                {"walks_triangular", "0.240917574", "2e-9", -43.0 / 32, 1e-3}}) {
         INFO(each.name);
         const auto found = verdict_on(exact_list(each.name));
         REQUIRE(found.radius);
