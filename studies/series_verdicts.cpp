@@ -55,7 +55,7 @@ convergence::radius_answers verdict_on_list(const std::string& name) {
             return convergence::answers_of({{list}}, {scalar_kind::arbitrary, working_digits});
         }
     }
-    throw input_error("--lists", name, "is not a published list", "see problems/series");
+    throw input_error("--series", name, "is not a published list", "see problems/series");
 }
 
 struct verdict_row {
@@ -133,7 +133,7 @@ std::optional<known_facts> known_list(const std::string& name) {
 const problem_family& lists_as_problem() {
     static const problem_family result{"lists",
                                        {{.name = "list",
-                                         .option = "--lists",
+                                         .option = "--series",
                                          .help = "names of problems/series",
                                          .forms = "a,b,c, or all",
                                          .form = axis_form::words,
@@ -195,8 +195,8 @@ const study& series_verdicts() {
             "is "
             "itself an estimate for most lattices; the uncertainty is the one that the verdict states.",
         .of = &lists_as_problem(),
-        .parameters = {{"--lists", "all", "names of problems/series"}},
-        .quick = {{"--lists", "ising_square_low,walks_triangular", ""}},
+        .parameters = {{"--series", "all", "names of problems/series"}},
+        .quick = {{"--series", "ising_square_low,walks_triangular", ""}},
         .seconds = 15,
         .plan = plan};
     return result;
