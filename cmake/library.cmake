@@ -81,7 +81,7 @@ set(units
     "scalar|scalar/ball|digits|function|number"
     "algebra|elliptic|approximant|convergence|pendulum"
     "equation|equation/text"
-    "expansion|integration|integration/(taylor|model|root|singular|closed_form|delay)|event"
+    "expansion|integration|integration/(taylor|model|root|closed_form|delay)|event"
     "integration/collocation"
     "plane|manifold"
     "hybrid|query"
