@@ -12,6 +12,7 @@ using namespace libration;
 namespace {
 
 constexpr long bits = 500;
+constexpr root_annulus around_one{0.6, 1.4};
 
 // (1 - x)^(1/3) (1 + x/2)^(-5/4), which satisfies an equation of order 1: f'/f is a fraction.
 std::vector<mpfr> product_of_powers(int order) {
@@ -48,7 +49,7 @@ TEST_CASE("a product of powers satisfies an equation of order 1 exactly, with it
     const precision_scope scope(decimal_digits(bits));
     const auto a = product_of_powers(40);
     const std::vector<differential_track> tracks{{1, 0, 0}, {1, 3, 0}, {2, 0, 0}, {2, 1, 1}, {3, 0, 0}};
-    const auto fits = differential_fits(a, tracks, std::vector{39, 40}, {}, bits);
+    const auto fits = differential_fits(a, tracks, std::vector{39, 40}, around_one, bits);
     int exact = 0;
     for (const auto& fit : fits) {
         if (fit.exact) {
@@ -107,9 +108,9 @@ TEST_CASE("an equation that only the first coefficients satisfy is not exact", "
     auto a = product_of_powers(130);
     const std::vector<differential_track> tracks{{1, 0, 0}, {2, 0, 0}, {3, 0, 0}};
     const std::vector lengths{130};
-    CHECK(differential_fits(a, tracks, lengths, {}, bits).size() == 3);
+    CHECK(differential_fits(a, tracks, lengths, around_one, bits).size() == 3);
     a.back() *= 1 + mpfr(1e-20);
-    CHECK(differential_fits(a, tracks, lengths, {}, bits).empty());
+    CHECK(differential_fits(a, tracks, lengths, around_one, bits).empty());
 }
 
 TEST_CASE("an essential singularity is an irregular point of its equation", "[approximant][differential]") {
@@ -126,7 +127,8 @@ TEST_CASE("an essential singularity is an irregular point of its equation", "[ap
     for (auto& each : a) {
         each += 1;
     }
-    const auto fits = differential_fits(a, std::vector<differential_track>{{2, 0, 0}}, std::vector{60}, {}, bits);
+    const auto fits =
+        differential_fits(a, std::vector<differential_track>{{2, 0, 0}}, std::vector{60}, around_one, bits);
     REQUIRE(fits.size() == 1);
     REQUIRE(fits.front().exact);
     for (const auto& root : fits.front().roots) {
@@ -141,8 +143,8 @@ TEST_CASE("short lists and singular systems give no relation", "[approximant][di
     const precision_scope scope(decimal_digits(bits));
     CHECK_FALSE(relation_of(product_of_powers(20), {1, 0, 0}, 4, bits));
     const std::vector<mpfr> zeros(20, mpfr(0));
-    CHECK(differential_fits(zeros, std::vector<differential_track>{{2, 0, 0}}, std::vector{10, 19}, {}, bits).empty() ==
-          false);
+    CHECK(differential_fits(zeros, std::vector<differential_track>{{2, 0, 0}}, std::vector{10, 19}, around_one, bits)
+              .empty() == false);
 }
 
 TEST_CASE("a logarithm and a power are a double root of an equation of order 2", "[approximant][differential]") {
@@ -159,7 +161,8 @@ TEST_CASE("a logarithm and a power are a double root of an equation of order 2",
         }
         b.push_back(sum);
     }
-    const auto fits = differential_fits(b, std::vector<differential_track>{{2, 0, 0}}, std::vector{60}, {}, bits);
+    const auto fits =
+        differential_fits(b, std::vector<differential_track>{{2, 0, 0}}, std::vector{60}, around_one, bits);
     REQUIRE(fits.size() == 1);
     CHECK(fits.front().exact);
     bool found = false;

@@ -61,8 +61,7 @@ struct differential_fit {
 
 /// The moduli between which roots are computed (none if inner >= outer); of exact equations 0.3 times the inner to 3 times the outer one.
 struct root_annulus {
-    double inner = 0.6;
-    double outer = 1.4;
+    double inner, outer;
 };
 
 /// Calls work(0) .. work(count - 1), each once, in any order and on any threads.

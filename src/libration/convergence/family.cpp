@@ -122,7 +122,7 @@ approximant_family family_of(std::span<const mpfr> b, const task_runner& run) {
             }
         }
     };
-    fit({});
+    fit({0.6, 1.4});
     if (family.is_exact() && !family.has_exact_root()) {
         fit({0.02, 50});
     }
