@@ -53,6 +53,15 @@ foreach(file IN LISTS problem_files)
     file(READ ${file} text)
     string(APPEND catalogue_entries "        {\"${name}\", R\"ode(${text})ode\"},\n")
 endforeach()
+# The published lists of coefficients, problems/series/NAME.csv; `published` is what is known of them.
+file(GLOB series_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/problems/series/*.csv)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${series_files})
+set(series_entries "")
+foreach(file IN LISTS series_files)
+    cmake_path(GET file STEM name)
+    file(READ ${file} text)
+    string(APPEND series_entries "        {\"${name}\", R\"list(${text})list\"},\n")
+endforeach()
 configure_file(cmake/catalogue.cpp.in ${PROJECT_BINARY_DIR}/generated/catalogue.cpp @ONLY)
 
 add_library(libration STATIC ${library_sources} ${PROJECT_BINARY_DIR}/generated/catalogue.cpp)
@@ -72,7 +81,7 @@ set(units
     "scalar|scalar/ball|digits|function|number"
     "algebra|elliptic|approximant|convergence|pendulum"
     "equation|equation/text"
-    "expansion|integration|integration/(taylor|model|root|singular|closed_form|delay)|event"
+    "expansion|integration|integration/(taylor|model|root|closed_form|delay)|event"
     "integration/collocation"
     "plane|manifold"
     "hybrid|query"

@@ -264,11 +264,14 @@ void libration_problem_free(libration_problem *problem);
  * the same. The problem may be freed. */
 int libration_solution_new(const libration_problem *problem, libration_solution **solution);
 /* As libration_problem_known_states, libration_problem_events and libration_problem_coefficients; of coefficients those
- * PROVED about a time are read from the steps. A callback must not use the same solution. */
+ * PROVED about a time are read from the steps. The settings of events, or NULL: "crossing = up", only where the difference
+ * of the two sides increases with time, or down; "before = 10", only events before or at this time, which may be before the
+ * initial one; "from_start = yes", the initial time as well if the condition holds there; "horizon = 100", the largest
+ * number of steps without an event. A callback must not use the same solution. */
 int libration_solution_states(libration_solution *solution, const char *times, long digits, int rigour,
                               libration_watch watch, void *context, libration_table **states);
-int libration_solution_events(libration_solution *solution, const char *condition, long count, long digits,
-                              libration_table **events);
+int libration_solution_events(libration_solution *solution, const char *condition, const char *settings, long count,
+                              long digits, libration_watch watch, void *context, libration_table **events);
 int libration_solution_coefficients(libration_solution *solution, const char *point, const char *corners, long first,
                                     long last, long digits, int rigour, libration_table **coefficients);
 /* As libration_problem_certificate and libration_problem_event_certificate: the values are read from the steps; the

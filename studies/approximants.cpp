@@ -270,6 +270,7 @@ const study& approximants() {
         .quick = {{"--problems", "rayleigh,sir", ""}, {"--orders", "4,10,20", ""}, {"--digits", "12", ""}},
         .seconds = 16,
         .plan = of_catalogue::plan,
+        .version = 2,
         .any_equation = equation_form{
             .plan = of_equation::plan,
             .title = "Asymptotic approximants over parameters",

@@ -83,6 +83,7 @@ const study& coefficients() {
             "R^-n with the radius R and the exponent nu of the verdict of the radius tests, and with c so large that "
             "no coefficient of the second half lies above it: the marks dip below where several singularities at one "
             "distance beat, and follow the line where there is one.",
+        .version = 2,
         .any_equation = equation_form{
             .plan = plan,
             .parameters = {{"--orders", "200", "N, last powers of the lists under test; the largest is drawn"},

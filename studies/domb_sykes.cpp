@@ -309,7 +309,7 @@ const study& domb_sykes() {
         .seconds = 2,
         .excluded = no_answer_at_limits("theta is constant and has no ratios", "T* is infinite"),
         .plan = of_pendulum::plan,
-        .version = 3,
+        .version = 4,
         .any_equation = equation_form{
             .plan = of_equation::plan,
             .reading =

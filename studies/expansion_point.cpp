@@ -237,6 +237,7 @@ const study& expansion_point() {
         .seconds = 3,
         .excluded = no_answer_at_limits("theta is constant and every radius infinite", "T* is infinite"),
         .plan = of_pendulum::plan,
+        .version = 2,
         .any_equation = equation_form{
             .plan = of_equation::plan,
             .question = "About which time of an interval should the solution be expanded?",

@@ -192,7 +192,8 @@ const study& problems() {
                        {"--orders", "80", "N, last power of the lists; the largest is used"}},
         .quick = {{"--problems", "blasius,riccati,thomas_fermi", ""}, {"--orders", "20", ""}},
         .seconds = 30,
-        .plan = plan};
+        .plan = plan,
+        .version = 2};
     return result;
 }
 

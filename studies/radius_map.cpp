@@ -257,7 +257,7 @@ const study& radius_map() {
         .seconds = 4,
         .excluded = no_answer_at_limits("theta is constant and every radius infinite", "T* is infinite"),
         .plan = of_pendulum::plan,
-        .version = 2,
+        .version = 3,
         .any_equation = equation_form{
             .plan = of_equation::plan,
             .title = "The radius of convergence over the parameters",

@@ -22,11 +22,14 @@ using namespace tournament_results;
 namespace {
 
 // The problems in the precision of each scalar, computed once.
-std::vector<problem_list> problems_in(const std::vector<scalar_spec>& scalars, const pendulum_sweep& sweep) {
+std::vector<problem_list> problems_in(const std::vector<scalar_spec>& scalars, const study_request& request) {
+    const pendulum_sweep sweep(request.values);
+    const int lists = request.values.counts("lists").front();
+    const int seed = request.values.counts("seed").front();
     std::vector<problem_list> all;
     for (const scalar_spec& scalar : scalars) {
         const precision_scope scope(scalar.digits + score_guard_digits);
-        all.push_back(problems_of(sweep));
+        all.push_back(problems_of(sweep, lists, seed));
     }
     return all;
 }
@@ -66,12 +69,12 @@ study_plan plan(const study_request& request) {
     const auto all = std::make_shared<tournament>();
     all->scalars =
         request.scalar ? std::vector{*request.scalar} : std::vector{read_scalar("double"), read_scalar("mpfr:60")};
-    all->problems = problems_in(all->scalars, pendulum_sweep(request.values));
+    all->problems = problems_in(all->scalars, request);
     const scalar_spec& last = all->scalars.back();
     study_plan plan = plan_of_values(
         {head_of("", last, columns()), head_of("scores", last, score_columns()),
          head_of("ranking", last, ranking_columns()), head_of("coverage", last, coverage_columns())},
-        {"energy", "gap", "point", "order"}, all->size(),
+        {"energy", "gap", "point", "lists", "seed", "order"}, all->size(),
         [all](std::size_t i) {
             const auto& [problem, half, scalar] = all->at(i);
             return cell_inputs{{"problem", problem.name}, {"half", half}, {"scalar", scalar.name()}};
@@ -228,7 +231,10 @@ const study& radius_tournament() {
         .reading =
             "Every test sees a list of coefficients and nothing else: theta of the pendulum about several points, and "
             "functions with poles, logarithms, branch points, several singularities on or near the circle, none at "
-            "all, or a natural boundary. Left: correct digits of the radius, mean over all series that have one, no "
+            "all, or a natural boundary; and random lists of known radius, drawn from families of these and of "
+            "confluent "
+            "singularities, logarithms upon powers and noise. Left: correct digits of the radius, mean over all series "
+            "that have one, no "
             "answer counted as none; each further mark is twice the coefficients. The textbook tests of ratios and "
             "roots gain a digit for ten times the coefficients; fitted recurrences (poles, differential approximants) "
             "take what the arithmetic holds. Right: how often the error was within the uncertainty that came with it, "
@@ -240,16 +246,19 @@ const study& radius_tournament() {
                         "energies E of the pendulum, in m g l"},
                        {"--gaps", "1e-10,-1e-10", "energies as 2 - E"},
                        {"--points", "0,2/5,1", "expansion points, fractions of T*: 0 the top, 1 the bottom"},
-                       {"--orders", "25,50,100,200", "N, last powers of the lists"},
+                       {"--orders", "20,40,80", "N, last powers of the lists"},
+                       {"--lists", "156", "random lists, of the families in turn"},
+                       {"--seed", "1", "from which they are drawn"},
                        {"--scalar", "double and mpfr:60", "arithmetic of coefficients and tests"}},
         .quick = {{"--energies", "1.71", ""},
                   {"--orders", "20", ""},
+                  {"--lists", "6", ""},
                   {"--points", "0", ""},
                   {"--scalar", "double", ""}},
-        .seconds = 8.5,
+        .seconds = 240,
         .excluded = no_answer_at_limits("theta is constant and every radius infinite", "T* is infinite"),
         .plan = of_pendulum::plan,
-        .version = 3,
+        .version = 4,
         .any_equation = equation_form{
             .plan = of_equation::plan,
             .title = "The radius tests",

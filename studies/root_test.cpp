@@ -148,7 +148,7 @@ const study& root_test() {
         .seconds = 2,
         .excluded = no_answer_at_limits("theta is constant and has no finite radius", "T* is infinite"),
         .plan = plan_of_pendulum,
-        .version = 2,
+        .version = 3,
         .any_equation = equation_form{
             .plan = plan_of_equation,
             .reading =

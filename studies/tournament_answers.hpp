@@ -8,6 +8,8 @@
 
 #include "libration/pendulum/known_arc_series.hpp"
 #include "libration/problem/known/known_series.hpp"
+#include "population/logarithmic_families.hpp"
+#include "population/radius_families.hpp"
 #include "shared/list_answers.hpp"
 #include "shared/sweep_plan.hpp"
 
@@ -30,13 +32,44 @@ inline std::string label_of(const sweep_energy& at, const exact& point) {
     return "pendulum " + energy + " x=" + point.text;
 }
 
-// All problems, in the working precision in force.
-inline problem_list problems_of(const pendulum_sweep& sweep) {
+// The k-th random list: of the families in turn, drawn from the seed.
+inline known_series<mpfr> drawn_problem(int k, int seed) {
+    static const std::vector<tests::series_family> families = [] {
+        auto all = tests::all_series_families();
+        const auto logarithmic = tests::logarithmic_families();
+        all.insert(all.end(), logarithmic.begin(), logarithmic.end());
+        return all;
+    }();
+    const auto count = static_cast<int>(families.size());
+    const tests::series_family& family = families[static_cast<std::size_t>(k % count)];
+    const auto own_seed = static_cast<std::uint64_t>(seed) * 1'000'003 + static_cast<std::uint64_t>(k);
+    const auto draw = [&family, own_seed](int order) {
+        tests::dice random(own_seed);
+        return family.draw(random, order);
+    };
+    constexpr int short_list = 24;
+    const tests::drawn_series drawn = draw(short_list);
+    known_series<mpfr> problem;
+    problem.name = family.name + " #" + std::to_string(k / count + 1);
+    problem.expand = [draw](int order) { return draw(order).a; };
+    problem.radius = drawn.radius;
+    problem.radius_error = drawn.radius_error;
+    if (!drawn.nearest.empty()) {
+        problem.position = drawn.nearest.front().at;
+    }
+    return problem;
+}
+
+// All problems, in the working precision in force; the random ones last.
+inline problem_list problems_of(const pendulum_sweep& sweep, int lists, int seed) {
     auto all = all_known_series<mpfr>();
     for (const sweep_energy& at : sweep.energies) {
         for (const exact& point : sweep.points) {
             all.push_back(known_arc_series(label_of(at, point), motion::of_energy(at.value), point.coefficient));
         }
+    }
+    for (int k = 0; k < lists; ++k) {
+        all.push_back(drawn_problem(k, seed));
     }
     return all;
 }
@@ -127,7 +160,7 @@ inline judged_answer judge(const known_series<mpfr>& problem, const std::string&
     if (!answer.has_radius()) {
         answer.covered = !answer.answered();
     } else if (answer.answered()) {
-        const mpfr away = abs(*found.radius - *problem.radius);
+        const mpfr away = std::max(mpfr(abs(mpfr(*found.radius - *problem.radius)) - problem.radius_error), mpfr(0));
         answer.error = away / *problem.radius;
         answer.covered = away <= found.uncertainty;
         answer.reached = correct_digits(*answer.error, scalar.digits);

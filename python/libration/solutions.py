@@ -69,11 +69,27 @@ class Solution:
         except UndecidedError as problem:
             raise with_partial(problem, form) from None
 
-    def events(self, condition: str, count: int = 1, digits: int = 50) -> Table:
+    def events(
+        self,
+        condition: str,
+        count: int = 1,
+        digits: int = 50,
+        crossing: str = "any",
+        before: Any = None,
+        from_start: bool = False,
+        horizon: int | None = None,
+    ) -> Table:
         """The first `count` times after the start at which a condition "x' = 1/2" holds, and the unknowns there: as
-        Problem.events()."""
+        Problem.events(). crossing: only where the difference of the two sides increases with time, "up", or decreases,
+        "down". before: only events before or at this time, which may be before the start. from_start: the start as
+        well if the condition holds there. horizon: the largest number of steps without an event."""
+        settings = [f"crossing = {crossing}", f"from_start = {'yes' if from_start else 'no'}"]
+        if before is not None:
+            settings.append(f"before = {text_of(before, 'before')}")
+        if horizon is not None:
+            settings.append(f"horizon = {horizon}")
         try:
-            return Table._of(self._solution.events(condition, count, digits))
+            return Table._of(self._solution.events(condition, "; ".join(settings), count, digits))
         except UndecidedError as problem:
             raise with_partial(problem, Table._of) from None
 

@@ -56,6 +56,20 @@ def test_the_answers_are_those_of_the_problem(tmp_path):
         s.certificate(path)
 
 
+def test_events_in_one_direction_and_before_a_time():
+    s = lb.problem("x'' = -x; x(0) = 0; x'(0) = 1").solution()
+    assert near(s.events("x = 0", digits=20, crossing="up")[0]["time"], 2 * mpmath.pi, 20)
+    assert s.events("x = 0", digits=20, from_start=True)[0]["time"].decimal == "0"
+    with pytest.raises(lb.UndecidedError) as undecided:
+        s.events("x = 0", 3, 20, before=7)
+    assert len(undecided.value.partial) == 2
+    assert near(s.events("x = 0", digits=20, before=-4)[0]["time"], -mpmath.pi, 20)
+    with pytest.raises(lb.ArgumentError):
+        s.events("x = 0", crossing="left")
+    with pytest.raises(lb.UndecidedError):
+        s.events("x = 0", horizon=1)
+
+
 def test_errors_and_what_is_proved_all_the_same():
     s = lb.problem("x' = x^2; x(0) = 1").solution()
     with pytest.raises(lb.UndecidedError) as undecided:

@@ -196,7 +196,7 @@ const study& reference_problems() {
         .quick = {{"--problems", "logistic,kepler", ""}, {"--scalar", "ball:20", ""}},
         .seconds = 600,
         .plan = plan,
-        .version = 2,
+        .version = 3,
         .offers = arithmetics::proved_too,
         .files = proved::reference_files};
     return result;

@@ -11,6 +11,7 @@
 
 #include "libration/convergence/coefficient_unit.hpp"
 #include "libration/convergence/radius_answers.hpp"
+#include "libration/convergence/radius_report.hpp"
 #include "libration/digits/proved_decimals.hpp"
 #include "libration/equation/first_order_form.hpp"
 #include "libration/expansion/taylor_expansion.hpp"

@@ -102,6 +102,41 @@ TEST_CASE("a fitted relation satisfies the equations that it was fitted to, and 
     }
 }
 
+TEST_CASE("an equation that only the first coefficients satisfy is not exact", "[approximant][differential]") {
+    const precision_scope scope(decimal_digits(bits));
+    auto a = product_of_powers(130);
+    const std::vector<differential_track> tracks{{1, 0, 0}, {2, 0, 0}, {3, 0, 0}};
+    const std::vector lengths{130};
+    CHECK(differential_fits(a, tracks, lengths, {}, bits).size() == 3);
+    a.back() *= 1 + mpfr(1e-20);
+    CHECK(differential_fits(a, tracks, lengths, {}, bits).empty());
+}
+
+TEST_CASE("an essential singularity is an irregular point of its equation", "[approximant][differential]") {
+    const precision_scope scope(decimal_digits(bits));
+    // exp(1/(1 - x)) + 1/(1 - x): f' of the first summand is f/(1-x)^2.
+    std::vector<mpfr> a{exp(mpfr(1))};
+    for (int n = 0; n < 60; ++n) {
+        mpfr sum(0);
+        for (int k = 0; k <= n; ++k) {
+            sum += a[static_cast<std::size_t>(k)] * (n - k + 1);
+        }
+        a.push_back(sum / (n + 1));
+    }
+    for (auto& each : a) {
+        each += 1;
+    }
+    const auto fits = differential_fits(a, std::vector<differential_track>{{2, 0, 0}}, std::vector{60}, {}, bits);
+    REQUIRE(fits.size() == 1);
+    REQUIRE(fits.front().exact);
+    for (const auto& root : fits.front().roots) {
+        if (root.multiplicity == root.lower && root.multiplicity > 1 && abs(root.position.re - 1) < mpfr(1e-30)) {
+            CHECK(root.irregular);
+            CHECK_FALSE(root.is_regular());
+        }
+    }
+}
+
 TEST_CASE("short lists and singular systems give no relation", "[approximant][differential]") {
     const precision_scope scope(decimal_digits(bits));
     CHECK_FALSE(relation_of(product_of_powers(20), {1, 0, 0}, 4, bits));

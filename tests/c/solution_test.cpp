@@ -37,14 +37,35 @@ TEST_CASE("one solution answers several questions from its steps", "[c]") {
     CHECK(steps > 0);
     CHECK(cell(states_of_kept(of, "pi/6, pi/4", 20), 0, 1) == "0.57735026918962576451");
     CHECK(libration_solution_steps(of.get()) == steps);
-    const auto events =
-        made<table>([&](auto** to) { return libration_solution_events(of.get(), "x = sqrt(3)/3", 1, 20, to); });
+    const auto events = made<table>([&](auto** to) {
+        return libration_solution_events(of.get(), "x = sqrt(3)/3", nullptr, 1, 20, nullptr, nullptr, to);
+    });
     CHECK(cell(events, 0, 0) == "0.52359877559829887308");  // pi/6
     CHECK(libration_solution_steps(of.get()) == steps);
     const auto series = made<table>([&](auto** to) {
         return libration_solution_coefficients(of.get(), "pi/4", nullptr, 0, 1, 10, LIBRATION_PROVED, to);
     });
     CHECK(cell(series, 1, 1) == "2.000000000");
+}
+
+TEST_CASE("events of a solution in one direction, before a time, from the start and backwards", "[c]") {
+    const auto of = kept_solution_of("x'' = -x; x(0) = 0; x'(0) = 1");
+    const auto times = [&](const char* settings, long count) {
+        libration_table* handle = nullptr;
+        static_cast<void>(libration_solution_events(of.get(), "x = 0", settings, count, 10, nullptr, nullptr, &handle));
+        const table found(handle);
+        std::vector<std::string> all;
+        for (std::size_t row = 0; row < libration_table_rows(handle); ++row) {
+            all.push_back(cell(found, row, 0));
+        }
+        return all;
+    };
+    CHECK(times("crossing = up", 2) == std::vector<std::string>{"6.283185307", "12.56637061"});
+    CHECK(times("crossing = down; from_start = yes", 1) == std::vector<std::string>{"3.141592654"});
+    CHECK(times("from_start = yes", 2) == std::vector<std::string>{"0", "3.141592654"});
+    CHECK(times("before = 7", 3) == std::vector<std::string>{"3.141592654", "6.283185307"});
+    CHECK(times("before = -4", 2) == std::vector<std::string>{"-3.141592654"});
+    CHECK(times("horizon = 1", 1).empty());
 }
 
 TEST_CASE("a solution writes the certificates of its states and events", "[c]") {
@@ -72,7 +93,14 @@ TEST_CASE("a solution refuses what its problem refuses", "[c]") {
     CHECK_THAT(libration_error_message(), Catch::Contains("solution is NULL"));
     CHECK(libration_solution_steps(nullptr) == 0);
     const auto of = kept_solution_of("x' = x^2; x(0) = 1");
-    CHECK(libration_solution_events(of.get(), "x = 2", 0, 20, &no_table) == LIBRATION_ARGUMENT);
+    const auto events = [&](const char* settings, long count) {
+        return libration_solution_events(of.get(), "x = 2", settings, count, 20, nullptr, nullptr, &no_table);
+    };
+    CHECK(events(nullptr, 0) == LIBRATION_ARGUMENT);
+    for (const char* const wrong : {"crossing = left", "before = x", "from_start = 1", "horizon = 0", "after = 3"}) {
+        INFO(wrong);
+        CHECK(events(wrong, 1) == LIBRATION_ARGUMENT);
+    }
     CHECK(libration_solution_states(of.get(), "2", 20, LIBRATION_PROVED, nullptr, nullptr, &no_table) ==
           LIBRATION_UNDECIDED);  // beyond the pole
     libration_table_free(no_table);

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "convergence/radius_families.hpp"
+#include "../studies/population/radius_families.hpp"
 
 namespace convergence_coefficient_floor_test {
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "convergence/radius_population.hpp"
+#include "../studies/population/radius_population.hpp"
 #include "libration/equation/text/parse.hpp"
 #include "libration/expansion/taylor_expansion.hpp"
 #include "libration/number/exact.hpp"

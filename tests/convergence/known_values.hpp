@@ -73,7 +73,7 @@ inline coefficients polynomial(coefficients f, int order) {
 }
 
 /// A list, a point, and the value there.
-struct known_value {
+struct known_sum {
     std::string region;  ///< inside | beyond | divergent | pole beyond | entire | hard
     std::string family;
     coefficients a;
@@ -99,7 +99,7 @@ private:
 };
 
 /// (1 - x/x0)^nu exp(b x), nu = -1 for poles, |x0| from 0.5 to 3.
-inline known_value power_times_exponential(value_draw& draw, int order, const std::string& region) {
+inline known_sum power_times_exponential(value_draw& draw, int order, const std::string& region) {
     const mpfr nu = region == "pole beyond" ? mpfr(-1) : draw.thousandths(-2500, 2500);
     const mpfr b = region == "pole beyond" ? mpfr(0) : draw.thousandths(-1500, 1500);
     const mpfr x0 = draw.thousandths(500, 3000) * draw.sign();
@@ -112,7 +112,7 @@ inline known_value power_times_exponential(value_draw& draw, int order, const st
 }
 
 /// sum (c)_n (-x)^n = x^-c e^(1/x) Gamma(1-c, 1/x), x > 0 [DLMF 13.6.6, 13.7.3].
-inline known_value incomplete_gamma(value_draw& draw, int order) {
+inline known_sum incomplete_gamma(value_draw& draw, int order) {
     const mpfr c = draw.thousandths(300, 2500);
     const mpfr x = draw.thousandths(50, 2000);
     coefficients a{mpfr(1)};
@@ -125,7 +125,7 @@ inline known_value incomplete_gamma(value_draw& draw, int order) {
 }
 
 /// sum (-1)^k u_k x^k = 2 sqrt(pi) z^(1/4) e^(1/x) Ai(z), x = 3/(2 z^(3/2)) [DLMF 9.7.5].
-inline known_value airy(value_draw& draw, int order) {
+inline known_sum airy(value_draw& draw, int order) {
     const mpfr z = draw.thousandths(700, 4000);
     const mpfr x = mpfr(3) / (z * sqrt(z) * 2);
     coefficients a{mpfr(1)};
@@ -138,7 +138,7 @@ inline known_value airy(value_draw& draw, int order) {
 }
 
 /// x (log Gamma(1/x) - (1/x - 1/2) log(1/x) + 1/x - log(2 pi)/2)/x = sum B_2k/(2k (2k-1)) x^(2k-2) [DLMF 5.11.1].
-inline known_value stirling(value_draw& draw, int order) {
+inline known_sum stirling(value_draw& draw, int order) {
     const mpfr z = draw.thousandths(300, 3000);
     std::vector<rational> bernoulli{rational(1)};
     for (int n = 1; n <= order + 2; ++n) {
@@ -162,7 +162,7 @@ inline known_value stirling(value_draw& draw, int order) {
 }
 
 /// 1 + c log(1 - x/x0) times a power: not a solution of an equation of low order with small coefficients.
-inline known_value logarithm(value_draw& draw, int order, const std::string& region) {
+inline known_sum logarithm(value_draw& draw, int order, const std::string& region) {
     const mpfr c = draw.thousandths(200, 1500);
     const mpfr b = draw.thousandths(-1500, 1500);
     const mpfr x0 = draw.thousandths(500, 3000) * draw.sign();
@@ -177,7 +177,7 @@ inline known_value logarithm(value_draw& draw, int order, const std::string& reg
 }
 
 /// (1 + 2 p x + x^2/r^2)^nu exp(b x): a complex pair.
-inline known_value pair(value_draw& draw, int order, const std::string& region) {
+inline known_sum pair(value_draw& draw, int order, const std::string& region) {
     const mpfr r = draw.thousandths(500, 2000);
     const mpfr cosine = draw.thousandths(-900, 900);
     const mpfr nu = draw.thousandths(-2500, 2500);
@@ -192,7 +192,7 @@ inline known_value pair(value_draw& draw, int order, const std::string& region) 
 }
 
 /// exp(b x) cos(c x) or exp(b x) J_0(c x).
-inline known_value entire(value_draw& draw, int order) {
+inline known_sum entire(value_draw& draw, int order) {
     const mpfr b = draw.thousandths(-1500, 1500);
     const mpfr c = draw.thousandths(300, 2000);
     const mpfr x = draw.thousandths(200, 5000) * draw.sign();
@@ -213,7 +213,7 @@ inline known_value entire(value_draw& draw, int order) {
 }
 
 /// W(x/x0), x/x0 > -1/e: sum (-n)^(n-1)/n! (x/x0)^n [DLMF 4.13.5].
-inline known_value lambert(value_draw& draw, int order) {
+inline known_sum lambert(value_draw& draw, int order) {
     const mpfr x0 = draw.thousandths(500, 3000) * draw.sign();
     const mpfr w = draw.thousandths(-500, 1500);
     coefficients a{mpfr(0)};
@@ -226,7 +226,7 @@ inline known_value lambert(value_draw& draw, int order) {
 }
 
 /// tanh(c x)/x: poles on the imaginary axis alone.
-inline known_value hyperbolic_tangent(value_draw& draw, int order) {
+inline known_sum hyperbolic_tangent(value_draw& draw, int order) {
     const mpfr c = draw.thousandths(500, 2000);
     const mpfr x = draw.thousandths(200, 4000) * draw.sign();
     const auto growing = exponential_of(polynomial({mpfr(0), mpfr(c * 2)}, order + 1));
@@ -241,7 +241,7 @@ inline known_value hyperbolic_tangent(value_draw& draw, int order) {
 }
 
 /// exp(c (e^(b x) - 1)).
-inline known_value iterated_exponential(value_draw& draw, int order) {
+inline known_sum iterated_exponential(value_draw& draw, int order) {
     const mpfr b = draw.thousandths(-1000, 1000);
     const mpfr c = draw.thousandths(-1500, 1500);
     const mpfr x = draw.thousandths(200, 3000) * draw.sign();
@@ -252,7 +252,7 @@ inline known_value iterated_exponential(value_draw& draw, int order) {
 }
 
 /// Functions of roots and logarithms, most of which satisfy no linear equation with polynomial coefficients.
-inline known_value hard(value_draw& draw, int order) {
+inline known_sum hard(value_draw& draw, int order) {
     const mpfr x0 = draw.thousandths(500, 3000) * draw.sign();
     const mpfr c = draw.thousandths(300, 1200);
     const mpfr x = mpfr(x0 * draw.thousandths(200, 3000) * -1);
@@ -280,7 +280,7 @@ inline known_value hard(value_draw& draw, int order) {
 }
 
 /// (1 - x/p)^mu (1 + x/q)^nu, p and q positive: two competing singularities.
-inline known_value two_points(value_draw& draw, int order) {
+inline known_sum two_points(value_draw& draw, int order) {
     const mpfr p = draw.thousandths(500, 3000);
     const mpfr q = draw.thousandths(500, 3000);
     const mpfr mu = draw.thousandths(-1500, 1500);
@@ -294,7 +294,7 @@ inline known_value two_points(value_draw& draw, int order) {
 }
 
 /// The case of a seed, with N = 20, 30 or 40, in the working precision.
-inline known_value known_value_of(unsigned seed) {
+inline known_sum known_value_of(unsigned seed) {
     value_draw draw(seed);
     const int order = 20 + 10 * draw.between(0, 2);
     switch (seed % 20) {

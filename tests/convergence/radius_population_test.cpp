@@ -6,8 +6,8 @@
 #include <iostream>
 
 #include "convergence/equation_families.hpp"
-#include "convergence/logarithmic_families.hpp"
-#include "convergence/radius_families.hpp"
+#include "../studies/population/logarithmic_families.hpp"
+#include "../studies/population/radius_families.hpp"
 #include "libration/convergence/coefficient_noise.hpp"
 #include "libration/convergence/radius_answers.hpp"
 #include "libration/scalar/decimal.hpp"

@@ -30,7 +30,7 @@ std::map<std::string, tally> tallies(unsigned first, unsigned end) {
     std::map<std::string, tally> all;
     for (unsigned seed = first; seed < end; ++seed) {
         const precision_scope scope(400);
-        const known_value known = known_value_of(seed);
+        const known_sum known = known_value_of(seed);
         const std::vector<mpfr> points{known.x};
         const auto found = sums_of_list({.values = known.a}, {}, points).front();
         tally& here = all[known.region];

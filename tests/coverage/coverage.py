@@ -45,7 +45,7 @@ TESTS = """
     query/event_laws_test.cpp integration/collocation/lifted_collocation_test.cpp integration/lifted_set_test.cpp
     integration/proof_route_test.cpp integration/proved_march_test.cpp algebra/krawczyk_test.cpp query/shooting/proved_unknowns_test.cpp
     plane/proved_singularity_test.cpp query/flow_derivatives_test.cpp
-    plane/radius_bound_test.cpp query/scale_test.cpp integration/singular/singular_step_test.cpp
+    plane/radius_bound_test.cpp query/scale_test.cpp integration/singular_step_test.cpp
     integration/collocation/stiff_test.cpp expansion/tail_bound_test.cpp query/sets/solution_sets_test.cpp
     query/sets/set_events_test.cpp
     query/delay_trajectory_test.cpp query/delay_events_test.cpp

@@ -30,7 +30,7 @@ TAILS = "expansion/tail_bound_test.cpp"
 MARCHES = "integration/proved_march_test.cpp"
 DISCS = "plane/complex_disc_test.cpp"
 BOUNDS = "plane/radius_bound_test.cpp"
-SINGULAR = "integration/singular/singular_step_test.cpp"
+SINGULAR = "integration/singular_step_test.cpp"
 ROUTES = "integration/proof_route_test.cpp"
 ROOTS = "integration/root/root_time_test.cpp"
 SETS = "query/sets/solution_sets_test.cpp"
@@ -408,7 +408,7 @@ FAULTS = [
         ("what powers of the distance move beyond N", "            sum += a.terms[j];\n", ""),
     ),
     *in_file(
-        "src/libration/integration/singular/singular_step.cpp", [SINGULAR],
+        "src/libration/integration/singular_step.cpp", [SINGULAR],
         ("what a series about a singular start leaves out", "const magnitude rest = bound(i, away, static_cast<unsigned long>(l));",
          "const magnitude rest;"),
         ("one power of the distance too many there", "pow(distance / tail_.radius, first - derivative);",
@@ -907,8 +907,8 @@ FAULTS = [
          "p = sign == sign_ ? p.before(place) : p.behind(place);"),
         ("a zero taken to be where Newton's method stops", "if (converged || p.is_narrow(bits_) ||",
          "if (true || p.is_narrow(bits_) ||"),
-        ("the way of a crossing in the direction of the search", "event.way = sign_ * direction_ > 0",
-         "event.way = sign_ > 0"),
+        ("the way of a crossing in the direction of the search", "return sign_ * direction_ < 0 ? crossing::up",
+         "return sign_ < 0 ? crossing::up"),
         ("an event beyond an earlier end forgotten", "            beyond_ = std::move(event);\n", ""),
         ("the time up to an earlier end taken for the time up to any end",
          "each.beyond && last && known_sign((*last - time_) * direction_ - each.from) <= 0", "each.beyond"),
@@ -1106,24 +1106,43 @@ FAULTS = [
         ("the gradients of a path in the old order", "k = new_places[k];", ""),
     ),
     *in_file(
-        "src/libration/integration/singular/singular_step.cpp", [ROUTES],
+        "src/libration/integration/singular_step.cpp", [ROUTES],
         ("a first step that is not where it says", "const ball distance = from_rational<ball>(step);",
          "const ball distance = route.shortened(magnitude::of(1, exponent)).exact() * 2;"),
     ),
     *in_file(
-        "include/libration/convergence/exponent_drift.hpp", ["convergence/exponent_drift_test.cpp"],
-        ("the drift of an exponent dropped", "        if (abs(step) > noise) {",
-         "        if (false && abs(step) > noise) {"),
-        ("the last step taken for the whole drift", "abs(step) * steps +", "abs(step) +"),
-    ),
-    *in_file(
-        "include/libration/convergence/recurrence_estimate.hpp", ["convergence/exponent_drift_test.cpp"],
-        ("roots that are not told apart counted twice", "if (stays && on_circle && apart) {", "if (stays && on_circle) {"),
-    ),
-    *in_file(
-        "include/libration/convergence/radius_verdict.hpp", ["convergence/radius_report_test.cpp"],
+        "include/libration/convergence/exponent_uncertainty.hpp", ["convergence/radius_report_test.cpp"],
         ("the radius left out of the exponent", "    allowed *= logarithm * logarithm;\n", ""),
-        ("a kind named for any exponent", "if (!pure || !simple) {", "if (!simple) {"),
+    ),
+    *in_file(
+        "src/libration/approximant/differential.cpp", ["approximant/differential_test.cpp"],
+        ("an equation of a part of the list taken for all", "if (satisfied_by_rest(relation, a_, system_.length(), bits_)) {",
+         "if (true) {"),
+    ),
+    *in_file(
+        "src/libration/approximant/differential_system.cpp", ["approximant/differential_test.cpp"],
+        ("a pending equation that is not reduced by later ones", "            other.entries[c] -= other.entries[at] * row.entries[c];\n", ""),
+        ("an exact equation whose right-hand sides do not vanish",
+         "row.entries.back() == 0 || row.size - binary_exponent(row.entries.back()) > threshold_", "true"),
+    ),
+    *in_file(
+        "src/libration/approximant/differential_roots.cpp", ["approximant/differential_test.cpp"],
+        ("exponents without the order of the equation", "root.exponent = {mpfr(v.front().re + shift), v.front().im};",
+         "root.exponent = v.front();"),
+        ("the irregular point of an exact equation", "exact_ && multiplicity > 1", "false && multiplicity > 1"),
+    ),
+    *in_file(
+        "src/libration/convergence/cluster_answer.cpp", ["convergence/verdict_test.cpp"],
+        ("a psi series named a pole", "if (!found.exact && !is_pure(cluster, at)) {", "if (false) {"),
+        ("an apparent singularity", "return singular - regular > 8 &&", "return false &&"),
+        ("an uncertainty of the last step alone", "return factor * (drift ? std::max(raw, *drift) : 5 * raw);",
+         "return found.step / found.modulus();"),
+    ),
+    *in_file(
+        "src/libration/convergence/verdict.cpp", ["convergence/verdict_test.cpp"],
+        ("a radius in the power of the list", "ring_member member{.position = stride_root(w, stride_)",
+         "ring_member member{.position = w"),
+        ("a verdict on a list with a wrong coefficient", "b_.resize(static_cast<std::size_t>(k));", ""),
     ),
     *in_file(
         "src/libration/scalar/ball/proof_thread.cpp", ["scalar/ball/proof_thread_test.cpp"],
@@ -1214,6 +1233,6 @@ FAULTS = [
     ),
     *in_file(
         "src/libration/problem/radius_answer.cpp", ["problem/solution_test.cpp"],
-        ("a pole with branches by the equations called a pole", "if (!*single) {", "if (false) {"),
+        ("a pole with branches by the equations called a pole", "if (single_valued && !*single_valued) {", "if (false) {"),
     ),
 ]

@@ -12,7 +12,7 @@
 #include "libration/integration/lohner_set.hpp"
 #include "libration/integration/proved_march.hpp"
 #include "libration/integration/rule_for.hpp"
-#include "libration/integration/singular/singular_step.hpp"
+#include "libration/integration/singular_step.hpp"
 #include "libration/plane/radius_bound.hpp"
 #include "libration/problem/catalogue.hpp"
 #include "libration/problem/known/falkner_skan.hpp"

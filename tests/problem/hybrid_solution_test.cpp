@@ -184,6 +184,26 @@ TEST_CASE("a number of a bounce that is exactly 0 does not lose the others", "[p
     CHECK(bounces.at(1, "u") == "1.5574077246549022305");
 }
 
+// x = sin t crosses 1/6, 1/5, 1/4, 1/3, 1/2 upwards at their arc sines, several of them within one step, and downwards
+// without an event.
+TEST_CASE("surfaces that are crossed in one step are crossed in the order of their times", "[problem][hybrid]") {
+    const std::vector<std::string> upwards{"1/6", "1/5", "1/4", "1/3", "1/2"};
+    for (const bool reversed : {false, true}) {
+        std::string text = "x'' = -x; x(0) = 0; x'(0) = 1; p' = 0; p(0) = 0";
+        for (std::size_t k = 0; k < upwards.size(); ++k) {
+            text += "; when x = " + upwards[reversed ? upwards.size() - 1 - k : k] + " up: p = p + 1";
+        }
+        INFO(text);
+        const auto counts =
+            solve(problem(text))->states("0.1, 0.19, 0.22, 0.3, 0.4, 1, 6, 6.48", proved_digits(digits));
+        REQUIRE_FALSE(counts.missing);
+        const std::vector<int> expected{0, 1, 2, 3, 4, 5, 5, 6};
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+            CHECK(mpfr(counts.at(i, "p")) == expected[i]);
+        }
+    }
+}
+
 TEST_CASE("sliding and tangential solutions end with the surface and the time", "[problem][hybrid]") {
     const std::string friction = "x' = -sign(x); x(0) = 1";
     CHECK(value_at(friction, "1/2", "x") == "0.500000000000000000000000000000");

@@ -27,6 +27,7 @@ struct known_series {
         expand;                                   ///< a_0 .. a_N with the error of a recurrence, in working precision
     growth coefficient_size = growth::geometric;  ///< entire and divergent if the radius is not positive and finite
     std::optional<T> radius = std::nullopt;       ///< std::nullopt for an entire function, 0 for a divergent series
+    T radius_error = T(0);                        ///< of the radius, absolute
     std::optional<complex_number<T>> position =
         {};         ///< the nearest singularity of smallest argument >= 0, if there is one
     int count = 0;  ///< singularities on the circle of convergence; 0 if there are none or they fill it

@@ -45,6 +45,7 @@ struct root_cluster {
     std::complex<double> centre;
     double distance = 0;
     std::vector<std::optional<root_consensus>> history;
+    double noise = 0;  ///< of the list, relative
 
     const root_consensus& now() const { return *history.back(); }
 };

@@ -11,7 +11,7 @@
 #include "libration/expansion/tail_bound.hpp"
 #include "libration/integration/lohner_set.hpp"
 #include "libration/integration/proof_route.hpp"
-#include "libration/integration/singular/singular_step.hpp"
+#include "libration/integration/singular_step.hpp"
 
 namespace libration::ode {
 

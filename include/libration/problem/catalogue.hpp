@@ -20,6 +20,9 @@ const std::vector<catalogue_entry>& catalogue();
 /// The text of a problem. Throws error for a name that is not in the catalogue.
 std::string_view problem_text(std::string_view name);
 
+/// Published lists of coefficients, problems/series/NAME.csv, by name; `published` is a table of what is known of them.
+const std::vector<catalogue_entry>& series_catalogue();
+
 /// A one-line description of a problem: its first comment.
 std::string title_of(const catalogue_entry& entry);
 

@@ -18,6 +18,7 @@ namespace libration {
 namespace {
 
 constexpr long largest_study_order = 100'000;
+constexpr long largest_number_of_lists = 100'000;
 constexpr long largest_digits = 10'000;
 constexpr const char* scalar_option = "--scalar";
 constexpr std::string_view typed_ending = "_typed";
@@ -226,7 +227,21 @@ const std::vector<axis>& study_axes() {
                                         .form = axis_form::one_number,
                                         .remedy = "write a step such as 1e-5",
                                         .check = require_step,
-                                        .coordinate = "step"}};
+                                        .coordinate = "step"},
+                                       {.name = "lists",
+                                        .option = "--lists",
+                                        .help = "number of random lists",
+                                        .form = axis_form::whole,
+                                        .remedy = "write a number such as 300",
+                                        .coordinate = "lists",
+                                        .largest = largest_number_of_lists},
+                                       {.name = "seed",
+                                        .option = "--seed",
+                                        .help = "number from which random lists are drawn",
+                                        .form = axis_form::whole,
+                                        .remedy = "write a number such as 7",
+                                        .coordinate = "seed",
+                                        .largest = largest_study_order}};
     return all;
 }
 

@@ -1,6 +1,7 @@
 #include "solution_answers.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -9,6 +10,7 @@
 
 #include "libration/equation/text/parse.hpp"
 #include "libration/number/given_number.hpp"
+#include "libration/query/proved_events.hpp"
 #include "problem_tables.hpp"
 
 namespace libration::c {
@@ -40,6 +42,66 @@ void require_events(long count) {
 known_states events_of(const solution& of, const char* condition, long count, long digits) {
     require_events(count);
     const answer found = of.events(text_of(condition, "condition"), count, proved_digits(given_digits(digits)));
+    return known_states{table_of_numbers(found), found.missing};
+}
+
+namespace {
+
+ode::crossing crossing_of(const std::string& word) {
+    if (word != "up" && word != "down" && word != "any") {
+        throw error(error_kind::argument, "crossing", word, "is not a direction: write up, down or any");
+    }
+    return word == "any" ? ode::crossing::any : word == "up" ? ode::crossing::up : ode::crossing::down;
+}
+
+bool is_yes(const std::string& name, const std::string& word) {
+    if (word != "yes" && word != "no") {
+        throw error(error_kind::argument, name, word, "is neither yes nor no");
+    }
+    return word == "yes";
+}
+
+long steps_in(const std::string& text) {
+    long steps = 0;
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), steps);
+    if (failure != std::errc() || end != text.data() + text.size() || steps < 1) {
+        throw error(error_kind::argument, "horizon", text, "is not a positive number of steps");
+    }
+    return steps;
+}
+
+void set(ode::event_request& request, const std::string& name, const std::string& value) {
+    if (name == "crossing") {
+        request.way = crossing_of(value);
+    } else if (name == "before") {
+        const exact time = given_time("before", value);
+        if (!time.is_number()) {
+            throw error(error_kind::argument, "before", value, "is not a time");
+        }
+        request.before = as_exact_real(time);
+    } else if (name == "from_start") {
+        request.from_start = is_yes(name, value);
+    } else if (name == "horizon") {
+        request.horizon = steps_in(value);
+    } else {
+        throw error(error_kind::argument, "settings", name, "is none of crossing, before, from_start and horizon");
+    }
+}
+
+}  // namespace
+
+known_states events_of(const libration_problem& p, const solution& of, const char* condition, const char* settings,
+                       long count, long digits, const watcher& watch) {
+    require_events(count);
+    ode::event_request request{.g = of.condition(text_of(condition, "condition")), .count = count};
+    for (const auto& [name, value] : settings_of(settings == nullptr ? "" : settings, "settings")) {
+        set(request, name, value);
+    }
+    if (request.before && p.ordinary) {
+        request.direction = (*request.before - p.ordinary->point()).sign() < 0 ? -1 : 1;
+    }
+    const answer found =
+        of.events(request, proved_digits(given_digits(digits)), [&](const ball&, long, const auto&) { watch(0); });
     return known_states{table_of_numbers(found), found.missing};
 }
 

@@ -17,6 +17,9 @@ series_request request_of(const char* point, const char* corners, long first, lo
 
 /// The first `count` events; throws error of the kind argument for a count below 1.
 known_states events_of(const solution& of, const char* condition, long count, long digits);
+/// The same with "crossing = up; before = 10; from_start = yes; horizon = 100" or some of them; `settings` may be NULL.
+known_states events_of(const libration_problem& p, const solution& of, const char* condition, const char* settings,
+                       long count, long digits, const watcher& watch);
 
 /// The request of a proof of so many digits, whose progress is that of the callback.
 request watched(long digits, const watcher& watch);

@@ -49,10 +49,12 @@ int libration_solution_states(libration_solution* solution, const char* times, l
     });
 }
 
-int libration_solution_events(libration_solution* solution, const char* condition, long count, long digits,
-                              libration_table** events) {
+int libration_solution_events(libration_solution* solution, const char* condition, const char* settings, long count,
+                              long digits, libration_watch watch, void* context, libration_table** events) {
     return asked(solution, [&](const auto& of) {
-        return partly_made(events, [&] { return events_of(of(), condition, count, digits); });
+        return partly_made(events, [&] {
+            return events_of(solution->of, of(), condition, settings, count, digits, watcher(watch, context));
+        });
     });
 }
 

@@ -17,19 +17,21 @@ inline void define_solutions(py::module_& m) {
                                              to);
         });
     });
-    solution.def("events", [](const solution_object& of, const std::string& condition, long count, long digits) {
+    solution.def("events", [](const solution_object& of, const std::string& condition, const std::string& settings,
+                              long count, long digits) {
         return known_table([&](auto** to) {
-            return libration_solution_events(of.handle.get(), condition.c_str(), count, digits, to);
+            return libration_solution_events(of.handle.get(), condition.c_str(), settings.c_str(), count, digits,
+                                             watch_signals, nullptr, to);
         });
     });
-    solution.def("coefficients", [](const solution_object& of, const std::optional<std::string>& point,
-                                    const std::optional<std::string>& corners, long first, long last, long digits,
-                                    int rigour) {
-        return table([&](auto** to) {
-            return libration_solution_coefficients(of.handle.get(), optional_text(point), optional_text(corners),
-                                                   first, last, digits, rigour, to);
+    solution.def(
+        "coefficients", [](const solution_object& of, const std::optional<std::string>& point,
+                           const std::optional<std::string>& corners, long first, long last, long digits, int rigour) {
+            return table([&](auto** to) {
+                return libration_solution_coefficients(of.handle.get(), optional_text(point), optional_text(corners),
+                                                       first, last, digits, rigour, to);
+            });
         });
-    });
     solution.def("certificate",
                  [](const solution_object& of, const std::string& times, long digits, const std::string& path) {
                      return table([&](auto** to) {
@@ -40,8 +42,8 @@ inline void define_solutions(py::module_& m) {
     solution.def("event_certificate", [](const solution_object& of, const std::string& condition, long count,
                                          long digits, const std::string& path) {
         return table([&](auto** to) {
-            return libration_solution_event_certificate(of.handle.get(), condition.c_str(), count, digits,
-                                                        path.c_str(), watch_signals, nullptr, to);
+            return libration_solution_event_certificate(of.handle.get(), condition.c_str(), count, digits, path.c_str(),
+                                                        watch_signals, nullptr, to);
         });
     });
     solution.def("steps", [](const solution_object& of) {

@@ -163,6 +163,14 @@ bool is_related(const placed_cluster& a, const placed_cluster& b) {
     return std::abs(turns - nearest) < 4 * (a.uncertainty + b.uncertainty) + 1e-6 && std::fmod(nearest, 12) != 0;
 }
 
+// Whether the position is so sharp that nothing is joined to a pole or a logarithm. Fits of a pure one converge
+// geometrically, like 10^(-n/2) and faster, down to the noise of the list; those of a psi series with weak logarithms, such
+// as the one of a Duffing oscillator with a damping of 1/100, were never sharper than 10^(-n/6).
+bool is_pure(const root_cluster& cluster, std::size_t at) {
+    const int n = cluster.history[at]->length;
+    return position_uncertainty(cluster, at) <= std::max(std::pow(10.0, -n / 3.0), 64 * n * cluster.noise);
+}
+
 // The kind that the consensus of one length alone shows.
 singularity_kind kind_alone(const root_cluster& cluster, std::size_t at) {
     const root_consensus& found = *cluster.history[at];
@@ -180,6 +188,9 @@ singularity_kind kind_alone(const root_cluster& cluster, std::size_t at) {
     const double nearest = std::round(t);
     const mpfr away = abs(mpfr(exponent - mpfr(nearest)));
     if (uncertainty < 0.05 && away <= std::max(uncertainty, 1e-12)) {
+        if (!found.exact && !is_pure(cluster, at)) {
+            return singularity_kind::unknown;
+        }
         return nearest < 0        ? singularity_kind::pole
                : found.type == 11 ? singularity_kind::logarithm
                                   : singularity_kind::unknown;

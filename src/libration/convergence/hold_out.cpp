@@ -146,4 +146,39 @@ std::optional<suspect_coefficient> find_suspect(std::span<const mpfr> b, const s
     return suspect.confirmed ? std::optional(suspect) : std::nullopt;
 }
 
+std::vector<predicted_coefficient> predictions_for(const series_list& list, int count, const task_runner& run) {
+    const precision_scope scope(decimal_digits(bits_for(list.order()) + 64));
+    const auto scaled = in_unit(list.values, level_unit(list.values), bits_for(list.order()));
+    const auto pattern = pattern_of(series::power_series<mpfr>(scaled), mpfr(std::min(list.zero, 1e-10)));
+    std::vector<mpfr> b;
+    const int first = pattern.first % pattern.stride;
+    for (int n = first; n <= list.order(); n += pattern.stride) {
+        b.push_back(list.values[static_cast<std::size_t>(n)]);
+    }
+    std::vector<predicted_coefficient> found;
+    const auto in_class = predictions(b, count / pattern.stride + 1, run);
+    for (int n = list.order() + 1; n <= list.order() + count; ++n) {
+        if (n % pattern.stride != first) {
+            found.push_back({n, mpfr(0), mpfr(0)});
+            continue;
+        }
+        const int k = (n - first) / pattern.stride;
+        const auto at = std::ranges::find(in_class, k, &predicted_coefficient::index);
+        if (at == in_class.end()) {
+            break;
+        }
+        found.push_back({n, at->value, at->uncertainty});
+    }
+    return found;
+}
+
+std::optional<exponent_estimate> biased_exponent(const list_verdict& verdict, const mpfr& x) {
+    if (!verdict.exponent || !verdict.position || verdict.position->im != 0) {
+        return std::nullopt;
+    }
+    constexpr int widening = 8;
+    const mpfr moved = x / verdict.position->re - 1;
+    return exponent_estimate{mpfr(*verdict.exponent + moved * verdict.slope), mpfr(widening * verdict.residual)};
+}
+
 }  // namespace libration::convergence

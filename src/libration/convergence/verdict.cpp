@@ -26,17 +26,20 @@ struct examined_list {
     std::vector<const root_cluster*> strong;
 };
 
-std::unique_ptr<examined_list> examined(std::span<const mpfr> b, const task_runner& run) {
+std::unique_ptr<examined_list> examined(std::span<const mpfr> b, double noise, const task_runner& run) {
     auto found = std::make_unique<examined_list>();
     const precision_scope scope(decimal_digits(bits_for(static_cast<int>(b.size()))));
     found->family = family_of(b, run);
     found->clusters = clusters_of(found->family);
+    for (auto& each : found->clusters) {
+        each.noise = noise;
+    }
     found->strong = strong_clusters(found->family, found->clusters);
     return found;
 }
 
 // The whole list, or the longest of its first 80, 62, 48, 37 and 28 % with a strong cluster; otherwise the whole list.
-std::unique_ptr<examined_list> examined_with_cuts(std::span<const mpfr> b, const task_runner& run) {
+std::unique_ptr<examined_list> examined_with_cuts(std::span<const mpfr> b, double noise, const task_runner& run) {
     std::unique_ptr<examined_list> whole;
     const double last = static_cast<double>(b.size()) - 1;
     for (const double part : {1.0, 0.8, 0.62, 0.48, 0.37, 0.28}) {
@@ -44,7 +47,7 @@ std::unique_ptr<examined_list> examined_with_cuts(std::span<const mpfr> b, const
         if (kept < fewest_coefficients) {
             break;
         }
-        auto found = examined(b.first(kept), run);
+        auto found = examined(b.first(kept), noise, run);
         if (!found->strong.empty()) {
             return found;
         }
@@ -70,7 +73,7 @@ public:
         }
         const auto growth = size_growth_of(b_);
         gamma_ = growth ? growth->gamma : 0;
-        const auto examined = examine ? examined_with_cuts(b_, run_) : nullptr;
+        const auto examined = examine ? examined_with_cuts(b_, list_.noise, run_) : nullptr;
         const bool strong = examined && !examined->strong.empty();
         if (strong) {
             take(*examined);
@@ -254,7 +257,7 @@ private:
         rational best_order;
         for (const rational& order : gevrey_orders_near(gamma_)) {
             const rational s = gamma_ > 0 ? order : rational(-order);
-            auto found = examined(without_factorials(b_, s, bits_for(static_cast<int>(b_.size()))), run_);
+            auto found = examined(without_factorials(b_, s, bits_for(static_cast<int>(b_.size()))), list_.noise, run_);
             if (found->strong.empty()) {
                 continue;
             }
@@ -336,41 +339,6 @@ private:
 };
 
 }  // namespace
-
-std::vector<predicted_coefficient> predictions_for(const series_list& list, int count, const task_runner& run) {
-    const precision_scope scope(decimal_digits(bits_for(list.order()) + 64));
-    const auto scaled = in_unit(list.values, level_unit(list.values), bits_for(list.order()));
-    const auto pattern = pattern_of(series::power_series<mpfr>(scaled), mpfr(std::min(list.zero, 1e-10)));
-    std::vector<mpfr> b;
-    const int first = pattern.first % pattern.stride;
-    for (int n = first; n <= list.order(); n += pattern.stride) {
-        b.push_back(list.values[static_cast<std::size_t>(n)]);
-    }
-    std::vector<predicted_coefficient> found;
-    const auto in_class = predictions(b, count / pattern.stride + 1, run);
-    for (int n = list.order() + 1; n <= list.order() + count; ++n) {
-        if (n % pattern.stride != first) {
-            found.push_back({n, mpfr(0), mpfr(0)});
-            continue;
-        }
-        const int k = (n - first) / pattern.stride;
-        const auto at = std::ranges::find(in_class, k, &predicted_coefficient::index);
-        if (at == in_class.end()) {
-            break;
-        }
-        found.push_back({n, at->value, at->uncertainty});
-    }
-    return found;
-}
-
-std::optional<exponent_estimate> biased_exponent(const list_verdict& verdict, const mpfr& x) {
-    if (!verdict.exponent || !verdict.position || verdict.position->im != 0) {
-        return std::nullopt;
-    }
-    constexpr int widening = 8;
-    const mpfr moved = x / verdict.position->re - 1;
-    return exponent_estimate{mpfr(*verdict.exponent + moved * verdict.slope), mpfr(widening * verdict.residual)};
-}
 
 list_verdict verdict_on(const series_list& list, const task_runner& run) {
     return verdict_builder(list, run).verdict();

@@ -8,6 +8,8 @@
 #include <set>
 #include <utility>
 
+#include "recurring_roots.hpp"
+
 namespace libration::convergence {
 
 namespace {
@@ -22,101 +24,6 @@ std::complex<double> place_of(const complex_number<mpfr>& z) {
 double distance(const complex_number<mpfr>& a, const complex_number<mpfr>& b) { return std::abs(place_of(a - b)); }
 
 double distance(const mpfr& a, const mpfr& b) { return std::abs(mpfr(a - b).convert_to<double>()); }
-
-// ---- clusters
-
-struct recurring_root {
-    std::complex<double> at;
-    double distance;  // to the roots of half of the other fits
-};
-
-using rows_of_places = std::vector<std::vector<std::complex<double>>>;
-
-// The roots of each fit at N, N - 1 and N - 2 that has any; only of the exact ones if there are three.
-rows_of_places last_roots(const approximant_family& family) {
-    rows_of_places all;
-    rows_of_places exact;
-    for (const auto& fit : family.fits) {
-        if (fit.length < family.order - 2 || fit.roots.empty()) {
-            continue;
-        }
-        std::vector<std::complex<double>> places;
-        for (const auto& root : fit.roots) {
-            places.push_back(place_of(root.position));
-        }
-        if (fit.exact) {
-            exact.push_back(places);
-        }
-        all.push_back(std::move(places));
-    }
-    return exact.size() >= fewest_voters ? exact : all;
-}
-
-double nearest_distance(const std::vector<std::complex<double>>& places, const std::complex<double>& z) {
-    double best = std::numeric_limits<double>::infinity();
-    for (const auto& place : places) {
-        best = std::min(best, std::abs(place - z));
-    }
-    return best;
-}
-
-std::vector<recurring_root> recurring_roots(const rows_of_places& fits) {
-    constexpr std::size_t most = 12;
-    if (fits.size() < fewest_voters) {
-        return {};
-    }
-    const std::size_t half = std::max<std::size_t>(2, fits.size() / 2);
-    std::vector<recurring_root> all;
-    std::vector<double> to_others;
-    for (std::size_t i = 0; i < fits.size(); ++i) {
-        for (const auto& z : fits[i]) {
-            to_others.clear();
-            for (std::size_t k = 0; k < fits.size(); ++k) {
-                if (k != i) {
-                    to_others.push_back(nearest_distance(fits[k], z));
-                }
-            }
-            const auto middle = to_others.begin() + static_cast<std::ptrdiff_t>(half - 1);
-            std::ranges::nth_element(to_others, middle);
-            all.push_back({z, *middle});
-        }
-    }
-    std::ranges::stable_sort(
-        all, [](const auto& a, const auto& b) { return a.distance * std::abs(b.at) < b.distance * std::abs(a.at); });
-    std::vector<recurring_root> found;
-    for (const auto& each : all) {
-        const double size = std::abs(each.at);
-        const double d = std::max(each.distance, 1e-15 * size);
-        if (d > 0.06 * size || found.size() == most) {
-            break;
-        }
-        const bool taken = std::ranges::any_of(found, [&](const auto& other) {
-            const double apart = std::abs(each.at - other.at);
-            return apart < std::max({3 * d, 3 * other.distance, 1e-9 * size}) || d > 0.4 * apart;
-        });
-        if (!taken) {
-            found.push_back({each.at, d});
-        }
-    }
-    return found;
-}
-
-// How far the votes for a cluster may lie from its centre.
-double territory_of(const recurring_root& cluster, const std::vector<recurring_root>& all) {
-    double size = std::abs(cluster.at) / 4;
-    for (const auto& other : all) {
-        if (const double away = std::abs(cluster.at - other.at); away > 0) {
-            size = std::min(size, 0.4 * away);
-        }
-        if (const double away = std::abs(cluster.at - std::conj(other.at));
-            away > std::max(3 * cluster.distance, 1e-9)) {
-            size = std::min(size, 0.4 * away);
-        }
-    }
-    return std::max(size, 3 * cluster.distance);
-}
-
-// ---- consensus
 
 struct voter {
     double step;
@@ -376,7 +283,7 @@ std::optional<root_consensus> consensus_at(const approximant_family& family, int
 double root_consensus::distance_to(const root_consensus& other) const { return distance(position, other.position); }
 
 std::vector<root_cluster> clusters_of(const approximant_family& family) {
-    const auto found = recurring_roots(last_roots(family));
+    const auto found = recurring_roots(family);
     const double reach = family.is_exact() ? 10 : 1.6;
     double nearest = std::numeric_limits<double>::infinity();
     double nearest_sharp = nearest;
@@ -392,7 +299,7 @@ std::vector<root_cluster> clusters_of(const approximant_family& family) {
         if (each.at.imag() < -1e-12 * std::abs(each.at) || std::abs(each.at) > limit) {
             continue;
         }
-        root_cluster cluster{each.at, each.distance, {}};
+        root_cluster cluster{.centre = each.at, .distance = each.distance, .history = {}};
         const double territory = territory_of(each, found);
         for (const int length : family.lengths) {
             cluster.history.push_back(consensus_at(family, length, each.at, territory));

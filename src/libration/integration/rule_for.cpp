@@ -6,10 +6,10 @@
 
 #include "../expansion/set_values.hpp"
 #include "libration/equation/first_order_form.hpp"
-#include "libration/integration/singular/singular_step.hpp"
+#include "libration/integration/singular_step.hpp"
 #include "method_choice.hpp"
 #include "root/root_rule.hpp"
-#include "singular/first_step.hpp"
+#include "first_step.hpp"
 
 namespace libration::ode {
 

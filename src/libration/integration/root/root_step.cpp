@@ -1,6 +1,6 @@
 #include "root_step.hpp"
 
-#include "../singular/first_step.hpp"
+#include "../first_step.hpp"
 #include "libration/equation/constant_value.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 

@@ -1,6 +1,6 @@
 // Theorem S compared with closed forms: the step from a regular singular initial point, the following ones, and a
 // remainder that must be visible.
-#include "libration/integration/singular/singular_step.hpp"
+#include "libration/integration/singular_step.hpp"
 #include "libration/equation/constant_value.hpp"
 
 #include <catch2/catch.hpp>
@@ -16,7 +16,7 @@
 #include "libration/scalar/complex_number.hpp"
 #include "proved.hpp"
 
-namespace integration_singular_singular_step_test {
+namespace integration_singular_step_test {
 
 using namespace libration;
 using namespace libration::ode;
@@ -206,4 +206,4 @@ TEST_CASE("what theorem S does not take is refused", "[ode][proved][singular]") 
     const precision_scope scope(30);
 }
 
-}  // namespace integration_singular_singular_step_test
+}  // namespace integration_singular_step_test

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "convergence/point_families.hpp"
+#include "point_families.hpp"
 
 namespace libration::tests {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "libration/equation/explicit_system.hpp"
-#include "libration/integration/singular/singular_step.hpp"
+#include "libration/integration/singular_step.hpp"
 #include "libration/integration/step.hpp"
 
 namespace libration::ode {

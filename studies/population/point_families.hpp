@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "convergence/radius_population.hpp"
+#include "radius_population.hpp"
 
 namespace libration::tests {
 

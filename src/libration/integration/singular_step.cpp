@@ -1,4 +1,4 @@
-#include "libration/integration/singular/singular_step.hpp"
+#include "libration/integration/singular_step.hpp"
 
 #include <algorithm>
 #include <concepts>
@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "../../expansion/set_values.hpp"
+#include "../expansion/set_values.hpp"
 #include "libration/equation/first_order_form.hpp"
 #include "libration/scalar/proved.hpp"
 
