@@ -46,8 +46,9 @@ def test_the_answers_are_those_of_the_problem(tmp_path):
     assert str(s.radius(80, 10)) == str(p.radius(80, 10))
     assert [str(each) for each in s.radius_bounds(3)] == [str(each) for each in p.radius_bounds(3)]
     path = tmp_path / "s.cert"
+    s.states([1, 2], 12)
     steps = s.steps
-    assert s.certificate(path, times=[1, 2], digits=12)[0]["x"].decimal == p.reference(1, 12)["x"].decimal
+    assert s.certificate(path, times=[1, 2], digits=12)[0]["x"] == p.reference(1, 12)["x"]
     assert s.steps == steps
     lb.check(path)
     s.certificate(path, condition="x = 0", digits=12)
@@ -59,7 +60,7 @@ def test_the_answers_are_those_of_the_problem(tmp_path):
 def test_events_in_one_direction_and_before_a_time():
     s = lb.problem("x'' = -x; x(0) = 0; x'(0) = 1").solution()
     assert near(s.events("x = 0", digits=20, crossing="up")[0]["time"], 2 * mpmath.pi, 20)
-    assert s.events("x = 0", digits=20, from_start=True)[0]["time"].decimal == "0"
+    assert s.events("x = 0", digits=20, from_start=True)[0]["time"].mpmath() == 0
     with pytest.raises(lb.UndecidedError) as undecided:
         s.events("x = 0", 3, 20, before=7)
     assert len(undecided.value.partial) == 2
@@ -67,7 +68,7 @@ def test_events_in_one_direction_and_before_a_time():
     with pytest.raises(lb.ArgumentError):
         s.events("x = 0", crossing="left")
     with pytest.raises(lb.UndecidedError):
-        s.events("x = 0", horizon=1)
+        s.events("x = 3/2", horizon=3)
 
 
 def test_errors_and_what_is_proved_all_the_same():

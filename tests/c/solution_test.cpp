@@ -65,7 +65,11 @@ TEST_CASE("events of a solution in one direction, before a time, from the start 
     CHECK(times("from_start = yes", 2) == std::vector<std::string>{"0", "3.141592654"});
     CHECK(times("before = 7", 3) == std::vector<std::string>{"3.141592654", "6.283185307"});
     CHECK(times("before = -4", 2) == std::vector<std::string>{"-3.141592654"});
-    CHECK(times("horizon = 1", 1).empty());
+    libration_table* no_table = nullptr;
+    CHECK(libration_solution_events(of.get(), "x = 3/2", "horizon = 3", 1, 10, nullptr, nullptr, &no_table) ==
+          LIBRATION_UNDECIDED);
+    libration_table_free(no_table);
+    CHECK_THAT(libration_error_message(), Catch::Contains("is not found within 3 steps"));
 }
 
 TEST_CASE("a solution writes the certificates of its states and events", "[c]") {

@@ -909,6 +909,8 @@ FAULTS = [
          "if (true || p.is_narrow(bits_) ||"),
         ("the way of a crossing in the direction of the search", "return sign_ * direction_ < 0 ? crossing::up",
          "return sign_ < 0 ? crossing::up"),
+        ("a zero in the other direction that leaves the sign", "        sign_ = -sign_;\n        open_ = false;",
+         "        open_ = false;"),
         ("an event beyond an earlier end forgotten", "            beyond_ = std::move(event);\n", ""),
         ("the time up to an earlier end taken for the time up to any end",
          "each.beyond && last && known_sign((*last - time_) * direction_ - each.from) <= 0", "each.beyond"),
