@@ -16,15 +16,25 @@ namespace {
 
 bool is_operand(const token& word) { return word.kind != token_kind::symbol || word.symbol == '('; }
 
+std::string text_of_symbol(const token& word) {
+    switch (word.symbol) {
+        case interval_sign: return " +- ";
+        case equal_sign: return " == ";
+        case unequal_sign: return " != ";
+        case and_sign: return " and ";
+        case or_sign: return " or ";
+        case not_sign: return "not ";
+        default: break;
+    }
+    const std::string symbol(1, word.symbol);
+    return word.or_equal ? symbol + "=" : word.symbol == ',' || word.symbol == ':' ? symbol + " " : symbol;
+}
+
 std::string text_of_token(const token& word) {
     switch (word.kind) {
         case token_kind::numeral: return word.raised ? word.value.str() : word.text;
         case token_kind::name: return primed(word.text, word.primes);
-        case token_kind::symbol:
-            return word.or_equal                              ? std::string(1, word.symbol) + "="
-                   : word.symbol == ',' || word.symbol == ':' ? std::string(1, word.symbol) + " "
-                   : word.symbol == interval_sign             ? " +- "
-                                                              : std::string(1, word.symbol);
+        case token_kind::symbol: return text_of_symbol(word);
     }
     return {};
 }
