@@ -61,7 +61,7 @@ TEST_CASE("verify refuses a column that it cannot compare", "[command][verify]")
     CHECK(verify(rows, {"--problem", oscillator, "--columns", "v=-"}).exit_code == 0);
     const auto compared = verify(rows, {"--problem", oscillator, "--columns", "v=x'"});
     CHECK(compared.exit_code == 1);
-    CHECK(says(compared, "x' misses"));
+    CHECK(says(compared, "v misses"));
 }
 
 // A dose of 2 at time 1 of what decays as e^-t, and a rate that changes at 1: by hand.

@@ -79,7 +79,8 @@ TEST_CASE("combined conditions of a model are those of a problem", "[import]") {
         "and", apply("lt", "<cn>1</cn>" + time + "<cn>2</cn>") + apply("not", apply("eq", "<ci>x</ci><cn>3</cn>")));
     const std::string content =
         with_rate("<piecewise><piece><cn>4</cn>" + inside + "</piece><otherwise><cn>0</cn></otherwise></piecewise>") +
-        "<listOfEvents><event><trigger initialValue=\"true\" persistent=\"true\">" + math +
+        "<listOfEvents><event useValuesFromTriggerTime=\"true\"><trigger initialValue=\"true\" persistent=\"true\">" +
+        math +
         apply("or", apply("and", apply("geq", "<ci>x</ci><cn>4</cn>") + apply("lt", time + "<cn>5</cn>")) +
                         apply("neq", time + time)) +
         "</math></trigger><listOfEventAssignments><eventAssignment variable=\"x\">" + math +

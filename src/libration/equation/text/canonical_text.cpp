@@ -1,7 +1,9 @@
 // Problems in standard notation.
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,14 +19,15 @@ namespace {
 bool is_operand(const token& word) { return word.kind != token_kind::symbol || word.symbol == '('; }
 
 std::string text_of_symbol(const token& word) {
-    switch (word.symbol) {
-        case interval_sign: return " +- ";
-        case equal_sign: return " == ";
-        case unequal_sign: return " != ";
-        case and_sign: return " and ";
-        case or_sign: return " or ";
-        case not_sign: return "not ";
-        default: break;
+    constexpr std::array<std::pair<char, std::string_view>, 6> spaced{{{interval_sign, " +- "},
+                                                                       {equal_sign, " == "},
+                                                                       {unequal_sign, " != "},
+                                                                       {and_sign, " and "},
+                                                                       {or_sign, " or "},
+                                                                       {not_sign, "not "}}};
+    const auto* const found = std::ranges::find(spaced, word.symbol, &std::pair<char, std::string_view>::first);
+    if (found != spaced.end()) {
+        return std::string(found->second);
     }
     const std::string symbol(1, word.symbol);
     return word.or_equal ? symbol + "=" : word.symbol == ',' || word.symbol == ':' ? symbol + " " : symbol;
