@@ -30,7 +30,7 @@ std::vector<claim> chosen(const std::vector<std::string>& names) {
     for (const std::string& name : names) {
         const auto found = std::ranges::find(all, name, &claim::name);
         if (found == all.end()) {
-            throw input_error("claims", name, "is not a claim", "'libration claims' lists them");
+            throw input_error("claims", name, "is not a claim", "see 'libration claims'");
         }
         result.push_back(*found);
     }
