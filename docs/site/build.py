@@ -353,7 +353,7 @@ def main():
         env=environment,
     )
     if done.returncode:
-        fail("Sphinx has something to say about the pages, above")
+        fail("Sphinx reported warnings, above; the site is built only without warnings")
     if stage.extra.is_dir():
         shutil.copytree(stage.extra, work / "html", dirs_exist_ok=True)
     shutil.copytree(ROOT / "results", work / "html" / "results")

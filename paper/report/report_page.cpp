@@ -28,13 +28,13 @@ std::string css_of(const std::string& judged) {
 
 std::string opening(const published& results) {
     std::string text = fmt::format(
-        "<header><div>\n<h1>The pendulum's power series, computed again and judged</h1>\n"
+        "<header><div>\n<h1>The pendulum's power series, recomputed and checked</h1>\n"
         "<p>A pendulum obeys &theta;&Prime; + sin &theta; = 0. The paper <cite>{}</cite> (Reinberger, Holland, Barlow, "
         "Weinstein) gives its motion as a power series in time about the highest point of the swing, a resummation of "
         "that series that converges faster, and a resummed series for the period. This page was written by the program "
-        "<b>libration</b>, which computed every figure of the paper again from the formulae, in arithmetic of 40 "
-        "digits and "
-        "more, and measured every statement that can be true or false against something independent of it.</p>\n",
+        "<b>libration</b>, which recomputed every figure of the paper with 40 or more digits and tested every "
+        "checkable "
+        "statement independently.</p>\n",
         paper_title);
     text += "<nav>";
     if (!results.claims.empty()) {
@@ -59,7 +59,7 @@ std::string verdict_part(const published& results) {
         "<li class=\"corrected\"><b>{}</b>hold with a correction</li><li class=\"fails\"><b>{}</b>fail</li></ul>\n",
         count(verdict::holds), count(verdict::corrected), count(verdict::fails));
     text +=
-        "<p>Each statement was measured when this page was made: the number beside it decided, not an opinion. "
+        "<p>Each statement was measured when this page was made: each verdict follows from the number beside it. "
         "<em>Holds with correction</em> means that the idea is right and the printed formula or wording needs the "
         "change "
         "that stands beside it; <em>fails</em> means that it is not so, with the smallest counterexample found.</p>\n"
@@ -227,9 +227,8 @@ std::string references_part(const published& results) {
 
 constexpr const char* words_part =
     "<h2 id=\"words\">Words and symbols</h2>\n<div class=\"scroll\"><table>\n"
-    "<tr><th>E</th><td>energy over m g l: below 2 the pendulum swings (libration), above it overturns (rotation), at 2 "
-    "it "
-    "approaches the top for ever (separatrix). The gap is 2 &minus; E.</td></tr>\n"
+    "<tr><th>E</th><td>energy over m g l: below 2 the pendulum swings (libration), above it rotates, at 2 it "
+    "approaches the top forever (separatrix). The gap is 2 &minus; E.</td></tr>\n"
     "<tr><th>t, T</th><td>time in units of &radic;(l/g), and the period</td></tr>\n"
     "<tr><th>T*</th><td>time from the top of the trajectory to the bottom: T/4 of a libration, T/2 of a "
     "rotation</td></tr>\n"
@@ -282,7 +281,7 @@ std::string report_page(const published& results) {
     body +=
         "</main>\n<footer>Figures open alone when they are clicked. Written by <code>libration "
         "reproduce</code>.</footer>\n";
-    return html_page("Libration: the pendulum's power series, judged", body);
+    return html_page("Libration: the pendulum's power series, recomputed and checked", body);
 }
 
 }  // namespace libration

@@ -178,7 +178,8 @@ std::vector<std::string> results_comparison::lines(const std::string& published)
     for (const std::string& each : wrong) {
         lines.push_back("differs: " + each);
     }
-    add_line(lines, moved, machine + exact, "tables differ as libm and clocks may (double, long double, quad, times)");
+    add_line(lines, moved, machine + exact,
+             "tables of rounded values (double, long double, quad) or of times differ, as expected between machines");
     add_line(lines, redrawn, figures, "figures differ");
     if (!missing.empty()) {
         lines.push_back(fmt::format("not compared, because not made: {}", fmt::join(missing, ", ")));

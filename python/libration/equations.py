@@ -7,10 +7,11 @@ from typing import Any
 # Of SymPy, and their names here.
 _functions = {
     **{name: name for name in "exp log sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh erf erfc sinc".split()},
-    "LambertW": "lambertw",
+    **{name: name for name in "cot sec csc acot asec acsc coth sech csch acoth asech acsch sign floor".split()},
+    "Abs": "abs", "ceiling": "ceil", "LambertW": "lambertw",
     "airyai": "airy_ai", "airyaiprime": "airy_ai_prime", "airybi": "airy_bi", "airybiprime": "airy_bi_prime",
 }
-_functions_of_order = {"besselj": "bessel_j", "bessely": "bessel_y", "besseli": "bessel_i", "besselk": "bessel_k"}
+_functions_of_two = {"atan2": "atan2", "Mod": "mod", "Heaviside": "heaviside", "besselj": "bessel_j", "bessely": "bessel_y", "besseli": "bessel_i", "besselk": "bessel_k"}
 
 
 def _printer(variable: Any) -> Any:
@@ -35,13 +36,29 @@ def _printer(variable: Any) -> Any:
                 if expr.args != (variable,):
                     raise ValueError(f"{expr} is not a function of {variable} alone")
                 return name
-            names = _functions if len(expr.args) == 1 else _functions_of_order if len(expr.args) == 2 else {}
+            names = _functions if len(expr.args) == 1 else _functions_of_two if len(expr.args) == 2 else {}
             if name not in names:
                 raise ValueError(f"the library has no function {name}")
             return f"{names[name]}({', '.join(self._print(each) for each in expr.args)})"
 
         def _print_LambertW(self, expr: Any) -> str:
             return self._print_Function(expr)
+
+        def _print_Piecewise(self, expr: Any) -> str:
+            pieces = (f"({self._print(value)}, {self._print(holds)})" for value, holds in expr.args)
+            return f"piecewise({', '.join(pieces)})"
+
+        def _print_Relational(self, expr: Any) -> str:
+            return f"{self._print(expr.lhs)} {expr.rel_op} {self._print(expr.rhs)}"
+
+        def _print_And(self, expr: Any) -> str:
+            return " and ".join(f"({self._print(each)})" for each in expr.args)
+
+        def _print_Or(self, expr: Any) -> str:
+            return " or ".join(f"({self._print(each)})" for each in expr.args)
+
+        def _print_Not(self, expr: Any) -> str:
+            return f"not ({self._print(expr.args[0])})"
 
         def emptyPrinter(self, expr: Any) -> str:
             raise ValueError(f"{expr} of the type {type(expr).__name__} is nothing that the library reads")

@@ -114,6 +114,22 @@ def test_sympy():
         lb.problem(sympy.Eq(x(t).diff(t), sympy.gamma(x(t))), x=1)
 
 
+def test_conditions_of_sympy():
+    t = sympy.Symbol("t")
+    x = sympy.Function("x")
+    pieces = sympy.Piecewise((1, (t >= 1) & (t < 2)), (3, ~(t < 4) | (t < 0)), (0, True))
+    # 1 from 1 to 2, and 3 from 4 on.
+    assert near(lb.problem(sympy.Eq(x(t).diff(t), pieces), x=0).reference(5, 30)["x"], 4, 30)
+    folded = sympy.Max(t, 2) + sympy.Abs(t - 1) + sympy.Mod(t, 2) + sympy.Heaviside(t - 1)
+    # 13/2 + 5/2 + 5/2 + 2
+    assert near(lb.problem(sympy.Eq(x(t).diff(t), folded), x=0).reference(3, 30)["x"], mpmath.mpf("13.5"), 30)
+
+
+def test_an_unknown_with_the_name_of_a_column():
+    decay = lb.problem("n' = -n", n=1)
+    assert near(decay.reference(1, 30)["n_"], mpmath.exp(-1), 30)
+
+
 def test_starts_elsewhere():
     grows = lb.problem("x' = x", x=1, at=1)
     assert near(grows.reference(2, 30)["x"], mpmath.e, 30)

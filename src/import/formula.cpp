@@ -121,30 +121,52 @@ private:
         if (first >= e.getNumChildren()) {
             throw unsupported("a piecewise function without a value for all other cases");
         }
-        return {chosen(*e.getChild(first + 1), child(e, first).text, piecewise(e, first + 2).text)};
+        return {fmt::format("if({}, {}, {})", condition(operand(e, first + 1)).text, child(e, first).text,
+                            piecewise(e, first + 2).text)};
     }
 
-    // if(condition, a, b).
-    std::string chosen(const ASTNode& condition, const std::string& a, const std::string& b) const {
-        switch (static_cast<int>(condition.getType())) {
-            case AST_LOGICAL_AND: return chosen_by_all(condition, 0, a, b);
-            case AST_LOGICAL_OR: return chosen_by_one(condition, 0, a, b);
-            case AST_LOGICAL_NOT: return chosen(*condition.getChild(0), b, a);
-            case AST_CONSTANT_TRUE: return a;
-            case AST_CONSTANT_FALSE: return b;
+public:
+    // Comparisons bind like names, so that `not` has parentheses around them.
+    formula condition(const ASTNode& e) const {
+        switch (static_cast<int>(e.getType())) {
+            case AST_LOGICAL_AND: return combined(e, " and ", "true");
+            case AST_LOGICAL_OR: return combined(e, " or ", "false");
+            case AST_LOGICAL_NOT: return {"not (" + condition(operand(e, 0)).text + ")", binding::product};
+            case AST_CONSTANT_TRUE: return {"true"};
+            case AST_CONSTANT_FALSE: return {"false"};
+            case AST_RELATIONAL_GT: return compared(e, " > ");
+            case AST_RELATIONAL_GEQ: return compared(e, " >= ");
+            case AST_RELATIONAL_LT: return compared(e, " < ");
+            case AST_RELATIONAL_LEQ: return compared(e, " <= ");
+            case AST_RELATIONAL_EQ: return compared(e, " == ");
+            case AST_RELATIONAL_NEQ: return compared(e, " != ");
             default: break;
         }
-        const relation holds = relation_of(condition);
-        return fmt::format("if({} {} {}, {}, {})", of(*holds.left).text, holds.or_equal ? ">=" : ">",
-                           of(*holds.right).text, a, b);
+        throw unsupported("a condition other than comparisons of numbers combined by and, or and not");
     }
 
-    std::string chosen_by_all(const ASTNode& all, unsigned int i, const std::string& a, const std::string& b) const {
-        return i == all.getNumChildren() ? a : chosen(*all.getChild(i), chosen_by_all(all, i + 1, a, b), b);
+private:
+    formula combined(const ASTNode& e, const std::string& word, const std::string& none) const {
+        if (e.getNumChildren() < 2) {
+            return e.getNumChildren() == 0 ? formula{none} : condition(operand(e, 0));
+        }
+        std::string text;
+        for (unsigned int i = 0; i < e.getNumChildren(); ++i) {
+            text += (i == 0 ? "" : word) + condition(operand(e, i)).within(binding::product);
+        }
+        return {text, binding::sum};
     }
 
-    std::string chosen_by_one(const ASTNode& all, unsigned int i, const std::string& a, const std::string& b) const {
-        return i == all.getNumChildren() ? b : chosen(*all.getChild(i), a, chosen_by_one(all, i + 1, a, b));
+    // a < b, and a < b < c.
+    formula compared(const ASTNode& e, const std::string& sign) const {
+        if (e.getNumChildren() < 2) {
+            throw unsupported("a comparison without two sides");
+        }
+        std::string text = child(e, 0).text;
+        for (unsigned int i = 1; i < e.getNumChildren(); ++i) {
+            text += sign + child(e, i).text;
+        }
+        return {text};
     }
 
     formula function(const ASTNode& e) const {
@@ -154,7 +176,10 @@ private:
             {AST_FUNCTION_ARCCOS, "acos"},   {AST_FUNCTION_ARCTAN, "atan"},   {AST_FUNCTION_SINH, "sinh"},
             {AST_FUNCTION_COSH, "cosh"},     {AST_FUNCTION_TANH, "tanh"},     {AST_FUNCTION_ARCSINH, "asinh"},
             {AST_FUNCTION_ARCCOSH, "acosh"}, {AST_FUNCTION_ARCTANH, "atanh"}, {AST_FUNCTION_ABS, "abs"},
-            {AST_FUNCTION_FLOOR, "floor"},   {AST_FUNCTION_MIN, "min"},       {AST_FUNCTION_MAX, "max"}};
+            {AST_FUNCTION_CEILING, "ceil"},  {AST_FUNCTION_ARCSEC, "asec"},   {AST_FUNCTION_ARCCSC, "acsc"},
+            {AST_FUNCTION_ARCCOTH, "acoth"}, {AST_FUNCTION_ARCSECH, "asech"}, {AST_FUNCTION_ARCCSCH, "acsch"},
+            {AST_FUNCTION_REM, "fmod"},      {AST_FUNCTION_FLOOR, "floor"},   {AST_FUNCTION_MIN, "min"},
+            {AST_FUNCTION_MAX, "max"}};
         static const std::map<int, std::string> reciprocals{{AST_FUNCTION_SEC, "cos"},   {AST_FUNCTION_CSC, "sin"},
                                                             {AST_FUNCTION_COT, "tan"},   {AST_FUNCTION_SECH, "cosh"},
                                                             {AST_FUNCTION_CSCH, "sinh"}, {AST_FUNCTION_COTH, "tanh"}};
@@ -189,26 +214,8 @@ formula formula_of(const ASTNode& node, const name_meaning& names, const std::st
     return writer(names, time, at).of(node);
 }
 
-relation relation_of(const ASTNode& condition) {
-    const bool two_sides = condition.getNumChildren() == 2;
-    const auto type = static_cast<int>(condition.getType());
-    const bool or_equal = type == AST_RELATIONAL_GEQ || type == AST_RELATIONAL_LEQ;
-    switch (type) {
-        case AST_RELATIONAL_GT:
-        case AST_RELATIONAL_GEQ:
-            if (two_sides) {
-                return {condition.getChild(0), condition.getChild(1), or_equal};
-            }
-            break;
-        case AST_RELATIONAL_LT:
-        case AST_RELATIONAL_LEQ:
-            if (two_sides) {
-                return {condition.getChild(1), condition.getChild(0), or_equal};
-            }
-            break;
-        default: break;
-    }
-    throw unsupported("a condition other than <, <=, > and >= between two numbers");
+std::string condition_of(const ASTNode& node, const name_meaning& names, const std::string& time) {
+    return writer(names, time, {}).condition(node).text;
 }
 
 std::string decimal_of(double value) {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 LIBSBML_CPP_NAMESPACE_USE
 
@@ -15,6 +16,16 @@ namespace libration::import {
 class unsupported : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
+};
+
+/// What a model does not contain although a problem needs it, with the remedy.
+class incomplete : public std::runtime_error {
+public:
+    incomplete(const std::string& what, std::string remedy) : std::runtime_error(what), remedy_(std::move(remedy)) {}
+    const std::string& remedy() const { return remedy_; }
+
+private:
+    std::string remedy_;
 };
 
 /// How tightly the outermost operation of a text binds.
@@ -44,15 +55,8 @@ using name_meaning = std::function<formula(const std::string& id, const occurren
 formula formula_of(const ASTNode& node, const name_meaning& names, const std::string& time = "t",
                    const occurrence& at = {});
 
-/// A relation between two numbers: left - right crosses 0 upwards where it becomes true.
-struct relation {
-    const ASTNode* left;
-    const ASTNode* right;
-    bool or_equal;
-};
-
-/// The relation of a trigger, with its sides exchanged for < and <=. Throws unsupported for any other condition.
-relation relation_of(const ASTNode& condition);
+/// A condition, with `and`, `or` and `not`, as in if(...) and `when`. Throws unsupported for any other one.
+std::string condition_of(const ASTNode& node, const name_meaning& names, const std::string& time = "t");
 
 /// The shortest decimal of a double, which is how the file gives it.
 std::string decimal_of(double value);

@@ -15,6 +15,7 @@
 
 namespace {
 
+using libration::import::incomplete;
 using libration::import::unsupported;
 
 // The first error of a document.
@@ -64,6 +65,8 @@ int main(int argc, char** argv) {
     } catch (const unsupported& what) {
         fmt::print(stderr, "libration: FILE '{}' contains {}, which is not supported: replace it in the model\n", file,
                    what.what());
+    } catch (const incomplete& what) {
+        fmt::print(stderr, "libration: FILE '{}' has {}: {}\n", file, what.what(), what.remedy());
     } catch (const std::exception& problem) {
         fmt::print(stderr, "libration: FILE '{}' {}\n", file, problem.what());
     }

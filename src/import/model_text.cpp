@@ -296,7 +296,9 @@ private:
             return at_start(*assigned->getMath());
         }
         if (!of.value) {
-            throw unsupported("'" + id + "' without an initial value");
+            throw incomplete("no initial value of '" + id + "'",
+                             of.species != nullptr ? "add initialConcentration or initialAmount to the species"
+                                                   : "add its value or size to the model");
         }
         formula number{decimal_of(*of.value), *of.value < 0 ? binding::sum : binding::name};
         if (of.species == nullptr) {
@@ -367,8 +369,8 @@ private:
     }
 
     void write_event(const Event& of) {
-        const relation holds = relation_of(*of.getTrigger()->getMath());
-        events_ += fmt::format("when {} = {} up:", now(*holds.left).text, now(*holds.right).text);
+        const auto name = [this](const std::string& id, const occurrence& where) { return meaning(id, where); };
+        events_ += fmt::format("when {}:", condition_of(*of.getTrigger()->getMath(), name));
         for (unsigned int k = 0; k < of.getNumEventAssignments(); ++k) {
             const EventAssignment& each = *of.getEventAssignment(k);
             const quantity& changed = quantities_.at(each.getVariable());

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 
 namespace libration::attack {
@@ -62,11 +63,14 @@ step_term function_of(const std::string& text, const step_term& u, const rationa
 }  // namespace
 
 std::string any_relation(choices& next) {
-    static constexpr std::array<const char*, 4> relations{">", ">=", "<", "<="};
+    static constexpr std::array<const char*, 6> relations{">", ">=", "<", "<=", "==", "!="};
     return relations[next.below(relations.size())];
 }
 
 bool holds(const std::string& relation, int sign) {
+    if (relation == "==" || relation == "!=") {
+        return (sign == 0) == (relation == "==");
+    }
     if (sign == 0) {
         return relation.size() == 2;  // >= and <=
     }
@@ -169,20 +173,91 @@ step_term extreme(bool largest, const step_term& u, const step_term& v) {
             u.is_step && v.is_step};
 }
 
-step_term conditional(const step_term& u, const std::string& relation, const step_term& v, const step_term& p,
-                      const step_term& q) {
+step_condition comparison(const step_term& u, const std::string& relation, const step_term& v) {
     const auto apart = [=](const rational& inside) { return difference(u.near(inside), v.near(inside)); };
-    return {fmt::format("if({} {} {}, {}, {})", u.text, relation, v.text, p.text, q.text),
-            [=](const rational& inside) {
-                return holds(relation, apart(inside).at(inside).sign()) ? p.near(inside) : q.near(inside);
-            },
+    return {fmt::format("{} {} {}", u.text, relation, v.text),
+            [=](const rational& inside) { return holds(relation, apart(inside).at(inside).sign()); },
             [=](partition& ends) {
-                for (const step_term& part : {u, v, p, q}) {
-                    part.divide(ends);
-                }
+                u.divide(ends);
+                v.divide(ends);
                 add_crossings(ends, apart);
+            }};
+}
+
+step_condition combined(bool all, const step_condition& p, const step_condition& q, choices& next) {
+    const auto divide = [=](partition& ends) {
+        p.divide(ends);
+        q.divide(ends);
+    };
+    const std::string word = all ? "and" : "or";
+    const std::string text = next.one_in(3) ? fmt::format("{}({}, {})", word, p.text, q.text)
+                                            : fmt::format("({}) {} ({})", p.text,
+                                                          next.one_in(2) ? word
+                                                          : all          ? "&&"
+                                                                         : "||",
+                                                          q.text);
+    return {text,
+            [=](const rational& inside) {
+                return all ? p.holds(inside) && q.holds(inside) : p.holds(inside) || q.holds(inside);
+            },
+            divide};
+}
+
+step_condition opposite(const step_condition& of, choices& next) {
+    return {fmt::format("{}({})", next.one_in(2) ? "not " : "!", of.text),
+            [=](const rational& inside) { return !of.holds(inside); }, of.divide};
+}
+
+step_term conditional(const step_condition& condition, const step_term& p, const step_term& q) {
+    return {fmt::format("if({}, {}, {})", condition.text, p.text, q.text),
+            [=](const rational& inside) { return condition.holds(inside) ? p.near(inside) : q.near(inside); },
+            [=](partition& ends) {
+                condition.divide(ends);
+                p.divide(ends);
+                q.divide(ends);
             },
             p.is_step && q.is_step};
+}
+
+namespace {
+
+rational whole(const std::string& function, const rational& x) {
+    const rational half(1, 2);
+    if (function == "ceil") {
+        return -floor_of_fraction(-x);
+    }
+    if (function == "trunc") {
+        return x < 0 ? rational(-floor_of_fraction(-x)) : floor_of_fraction(x);
+    }
+    if (function == "round") {
+        return x < 0 ? rational(-floor_of_fraction(half - x)) : floor_of_fraction(x + half);
+    }
+    const rational up = floor_of_fraction(x + half);
+    const bool odd = up - 2 * floor_of_fraction(up / 2) != 0;
+    return up - half == x && odd ? rational(up - 1) : up;
+}
+
+}  // namespace
+
+step_term whole_of(const std::string& function, const step_term& u) {
+    return function_of(
+        fmt::format("{}({})", function, u.text), u, rational(1, 2),
+        [=](const line& at, const rational& inside) {
+            return line{whole(function, at.at(inside)), 0};
+        },
+        true);
+}
+
+step_term remainder_of(const std::string& function, const step_term& u, const rational& k) {
+    return function_of(
+        fmt::format("{}({}, {})", function, u.text, as_typed(k)), u, k / 2,
+        [=](const line& at, const rational& inside) {
+            const rational quotient = at.at(inside) / k;
+            const rational n = function == "mod" ? floor_of_fraction(quotient)
+                                                 : whole(function == "fmod" ? "trunc" : "rint", quotient);
+            return line{at.constant - k * n, at.slope};
+        },
+        u.is_step);
 }
 
 step_term square_wave(const step_term& u, const std::string& argument) {
@@ -238,19 +313,36 @@ step_term term_choices::leaf() {
 
 step_term term_choices::operand(long depth) { return depth <= 0 || next_.one_in(5) ? leaf() : any(depth - 1); }
 
-step_term term_choices::condition(long depth) {
+// Of at most so many comparisons.
+step_condition term_choices::condition(long depth, long parts) {
+    if (parts > 1 && next_.one_in(2)) {
+        const bool all = next_.one_in(2);
+        const step_condition p = condition(depth - 1, parts / 2);
+        const step_condition q = condition(depth - 1, parts / 2);
+        return combined(all, p, q, next_);
+    }
+    if (next_.one_in(6)) {
+        return opposite(condition(depth, 1), next_);
+    }
     const step_term u = operand(depth);
     const step_term v = next_.one_in(3) ? operand(depth) : number_term(level());
+    return comparison(u, any_relation(next_), v);
+}
+
+step_term term_choices::chosen(long depth) {
+    const step_condition holds = condition(depth, 4);
     const step_term p = next_.one_in(3) ? operand(depth - 1) : number_term(next_.between(-2, 5));
     const step_term q = next_.one_in(3) ? operand(depth - 1) : number_term(next_.between(-2, 5));
-    return conditional(u, any_relation(next_), v, p, q);
+    return conditional(holds, p, q);
 }
 
 // A term that is constant on its pieces.
 step_term term_choices::step(long depth) {
-    switch (next_.below(4)) {
+    static constexpr std::array<const char*, 4> whole_numbers{"ceil", "trunc", "round", "rint"};
+    switch (next_.below(5)) {
         case 0: return sign_of_term(operand(depth));
         case 1: return heaviside(operand(depth));
+        case 3: return whole_of(whole_numbers[next_.below(whole_numbers.size())], operand(depth));
         case 2: return floor_of(operand(depth), next_.one_in(3) ? rational(next_.between(1, 4), 2) : rational(1));
         default: {
             const step_term u = operand(depth);
@@ -279,9 +371,13 @@ step_term term_choices::any(long depth) {
     if (depth <= 0) {
         return leaf();
     }
-    switch (next_.below(10)) {
+    static constexpr std::array<const char*, 3> remainders{"mod", "fmod", "remainder"};
+    switch (next_.below(12)) {
         case 0:
         case 1: return absolute(operand(depth));
+        case 8:
+            return remainder_of(remainders[next_.below(remainders.size())], operand(depth),
+                                rational(next_.between(1, 4), next_.between(1, 2)));
         case 2: return extreme(next_.one_in(2), operand(depth), operand(depth));
         case 3: return extreme(next_.one_in(2), operand(depth), number_term(level()));
         case 4: return sum(operand(depth), product(number_term(next_.between(-2, 2)), step(depth)));
@@ -293,7 +389,7 @@ step_term term_choices::any(long depth) {
             }
             return step(depth);
         case 7: return step(depth);
-        default: return condition(depth);
+        default: return chosen(depth);
     }
 }
 

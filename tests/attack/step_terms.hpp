@@ -30,7 +30,14 @@ struct step_term {
     bool is_step = false;                              ///< constant on each piece
 };
 
-/// >, >=, < or <=.
+/// A condition: whether it holds, and the ends of the pieces on which it does or does not.
+struct step_condition {
+    std::string text;
+    std::function<bool(const rational& inside)> holds;
+    std::function<void(partition& ends)> divide;
+};
+
+/// >, >=, <, <=, == or !=.
 std::string any_relation(choices& next);
 /// Whether a RELATION b, by the sign of a - b.
 bool holds(const std::string& relation, int sign);
@@ -55,9 +62,22 @@ step_term heaviside(const step_term& u);
 step_term floor_of(const step_term& u, const rational& divisor);
 /// min(u, v) or max(u, v).
 step_term extreme(bool largest, const step_term& u, const step_term& v);
-/// if(u RELATION v, p, q) with >, >=, < or <=.
-step_term conditional(const step_term& u, const std::string& relation, const step_term& v, const step_term& p,
-                      const step_term& q);
+/// u RELATION v.
+step_condition comparison(const step_term& u, const std::string& relation, const step_term& v);
+/// `p and q` or `p or q`, in any notation, and `not p`.
+step_condition combined(bool all, const step_condition& p, const step_condition& q, choices& next);
+step_condition opposite(const step_condition& of, choices& next);
+/// if(condition, p, q).
+step_term conditional(const step_condition& condition, const step_term& p, const step_term& q);
+/// if(u RELATION v, p, q).
+inline step_term conditional(const step_term& u, const std::string& relation, const step_term& v, const step_term& p,
+                             const step_term& q) {
+    return conditional(comparison(u, relation, v), p, q);
+}
+/// ceil(u), trunc(u), round(u) with halves away from 0, or rint(u) with halves to even numbers.
+step_term whole_of(const std::string& function, const step_term& u);
+/// mod(u, k), fmod(u, k) or remainder(u, k), for a positive k.
+step_term remainder_of(const std::string& function, const step_term& u, const rational& k);
 /// square(pi u), sawtooth(pi u) for u = slope t + constant, slope not 0.
 step_term square_wave(const step_term& u, const std::string& argument);
 step_term sawtooth_wave(const step_term& u, const std::string& argument);
@@ -80,7 +100,8 @@ public:
 
 private:
     step_term leaf();
-    step_term condition(long depth);
+    step_term chosen(long depth);
+    step_condition condition(long depth, long parts);
     step_term step(long depth);
     step_term operand(long depth);
 

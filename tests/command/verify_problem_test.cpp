@@ -50,4 +50,35 @@ TEST_CASE("verify counts the digits of the value with the fewest", "[command][ve
     CHECK_FALSE(says(done, "    20 correct digits:"));
 }
 
+// A column that is not compared is named, so that nobody takes it for one that is.
+TEST_CASE("verify refuses a column that it cannot compare", "[command][verify]") {
+    const std::string oscillator = "x'' = -x; x(0) = 1; x'(0) = 0";
+    const std::string rows = "t,x,v\n1,0.54030230586813971740,-0.5\n";
+    const auto refused = verify(rows, {"--problem", oscillator});
+    CHECK(refused.exit_code == 2);
+    CHECK(
+        says(refused, "has the column 'v', which is none of 'x', 'x'': write --columns v=- to leave it out, or v=x'"));
+    CHECK(verify(rows, {"--problem", oscillator, "--columns", "v=-"}).exit_code == 0);
+    const auto compared = verify(rows, {"--problem", oscillator, "--columns", "v=x'"});
+    CHECK(compared.exit_code == 1);
+    CHECK(says(compared, "v misses"));
+}
+
+// A dose of 2 at time 1 of what decays as e^-t, and a rate that changes at 1: by hand.
+TEST_CASE("verify compares solutions with events and piecewise right-hand sides", "[command][verify][hybrid]") {
+    const auto doses = verify("time,x\n0,1\n0.5,0.60653065971263342360\n2,0.87109416557949733509\n3,0.3200\n",
+                              {"--problem", "x' = -x; x(0) = 1; when t = 1: x = x + 2"});
+    const auto rows = csv_rows(doses.out);
+    REQUIRE(rows.size() == 4);
+    CHECK(rows[0].at("verdict") == "ok");
+    CHECK(rows[1].at("verdict") == "ok");
+    CHECK(rows[2].at("verdict") == "ok");
+    CHECK(rows[3].at("verdict") == "miss");
+    CHECK(rows[3].at("reference").starts_with("0.3204576"));
+    CHECK(doses.exit_code == 1);
+    CHECK(verify("time,y\n3,5\n0.5,0.5\n", {"--problem", "y' = if(t < 1 or t > 2, 1, 3); y(0) = 0"}).exit_code == 0);
+    const auto before = verify("time,y\n-1,5\n", {"--problem", "y' = abs(t); y(0) = 0"});
+    CHECK(says(before, "is before the initial point"));
+}
+
 }  // namespace command_verify_problem_test

@@ -850,8 +850,22 @@ FAULTS = [
     ),
     *in_file(
         "src/libration/equation/text/piecewise.cpp", ["problem/branches_test.cpp", "equation/hybrid_text_test.cpp"],
-        ("equality left out of >=", "or_equal ? name_of_nonnegative(found.parameter)", "false ? name_of_nonnegative(found.parameter)"),
-        ("equality kept in the opposite", "1 - indicator(!condition.or_equal)", "1 - indicator(condition.or_equal)"),
+        ("equality left out of >=", "return holds.or_equal ? if_not_negative", "return false ? if_not_negative"),
+        ("equality kept in the opposite", "1 - parameter(name_of_nonnegative(found.parameter))",
+         "1 - parameter(name_of_positive(found.parameter))"),
+    ),
+    *in_file(
+        "src/libration/equation/text/piecewise.cpp", ["equation/text/condition_test.cpp"],
+        ("all conditions but the first forgotten", "value = chosen(part, value, b);", "value = chosen(part, a, b);"),
+        ("any condition but the first forgotten", "value = chosen(part, a, value);", "value = chosen(part, a, b);"),
+        ("equality where the difference is not negative", "if_positive(holds.difference, b, a), b)", "a, b)"),
+        ("a negation that is none", "return chosen(holds.parts.front(), b, a);", "return chosen(holds.parts.front(), a, b);"),
+    ),
+    *in_file(
+        "src/libration/equation/text/written_function.cpp", ["equation/text/written_function_test.cpp"],
+        ("halves to odd numbers", "ceiling(less(half() * x, quarter()), steps)", "ceiling(less(half() * x, 3 * quarter()), steps)"),
+        ("halves up", "ceiling(less(x, half()), steps)", "steps.floor(written_sum(x, half()))"),
+        ("one half turn for both sides of the jump", "pi_times(-1)", "pi_times(1)"),
     ),
     *in_file(
         "src/libration/number/separation_bound.cpp", ["number/separation_bound_test.cpp"],
@@ -883,7 +897,8 @@ FAULTS = [
     ),
     *in_file(
         "src/libration/hybrid/saltation.cpp", ["query/hybrid_derivatives_test.cpp"],
-        ("dependence by a condition forgotten", "const bool moves = of.has(event.condition);", "const bool moves = false;"),
+        ("dependence by a condition forgotten", ": of.has(event.condition);", ": false;"),
+        ("dependence by a combined condition forgotten", "std::ranges::any_of(varied_.steps, has_argument)", "false"),
         ("dependence by a step function forgotten", "(switches && has_steps(each.right))", "false"),
         ("initial values that do not move", "with_leaves(partial(of.starts[k], of.leaf), {of.leaf}, {value})",
          "same_form(leaves_[k], of.leaf) ? expression(1) : expression(0)"),

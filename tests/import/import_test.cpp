@@ -13,6 +13,7 @@
 #include "command/refusal.hpp"
 #include "libration/equation/hybrid_system.hpp"
 #include "libration/equation/text/parse.hpp"
+#include "libration/problem/solution.hpp"
 #include "libration/query/trajectory.hpp"
 #include "libration/scalar/scalar.hpp"
 
@@ -63,8 +64,34 @@ TEST_CASE("reactions and rules of a model have the solution in closed form", "[i
 
 TEST_CASE("events and piecewise functions of a model are those of a problem", "[import]") {
     CHECK(output_of({"import", model("docs/examples/model.xml")}) ==
-          "# A ramp that is reset, and a charge with two rates\nx' = 1\nresets' = 0\ny' = if(1 > t, 2, -1)*y\n"
-          "x(0) = 0.5\nresets(0) = 0\ny(0) = 1\nwhen x = 1 up: x = x - 1; resets = resets + 1\n");
+          "# A ramp that is reset, and a charge with two rates\nx' = 1\nresets' = 0\ny' = if(t < 1, 2, -1)*y\n"
+          "x(0) = 0.5\nresets(0) = 0\ny(0) = 1\nwhen x >= 1: x = x - 1; resets = resets + 1\n");
+}
+
+TEST_CASE("combined conditions of a model are those of a problem", "[import]") {
+    const std::string time =
+        R"(<csymbol encoding="text" definitionURL="http://www.sbml.org/sbml/symbols/time">t</csymbol>)";
+    const auto apply = [](const std::string& word, const std::string& operands) {
+        return "<apply><" + word + "/>" + operands + "</apply>";
+    };
+    const std::string math = R"(<math xmlns="http://www.w3.org/1998/Math/MathML">)";
+    const std::string inside = apply(
+        "and", apply("lt", "<cn>1</cn>" + time + "<cn>2</cn>") + apply("not", apply("eq", "<ci>x</ci><cn>3</cn>")));
+    const std::string content =
+        with_rate("<piecewise><piece><cn>4</cn>" + inside + "</piece><otherwise><cn>0</cn></otherwise></piecewise>") +
+        "<listOfEvents><event useValuesFromTriggerTime=\"true\"><trigger initialValue=\"true\" persistent=\"true\">" +
+        math +
+        apply("or", apply("and", apply("geq", "<ci>x</ci><cn>4</cn>") + apply("lt", time + "<cn>5</cn>")) +
+                        apply("neq", time + time)) +
+        "</math></trigger><listOfEventAssignments><eventAssignment variable=\"x\">" + math +
+        "<cn>0</cn></math></eventAssignment></listOfEventAssignments></event></listOfEvents>";
+    const temporary_folder folder;
+    const std::string printed = output_of({"import", file_with(folder, content)});
+    CHECK(printed.find("x' = if(1 < t < 2 and not (x == 3), 4, 0)\n") != std::string::npos);
+    CHECK(printed.find("when (x >= 4 and t < 5) or t != t: x = 0\n") != std::string::npos);
+    // 1 up to t = 1, then 4 t - 3, which is 4 at 7/4, and again from 0.
+    const answer found = solve(problem(printed))->states("3", proved_digits(20));
+    CHECK(mpfr(found.at(0, "x")) == 1);
 }
 
 TEST_CASE("formulas of a model keep their order of operations", "[import]") {

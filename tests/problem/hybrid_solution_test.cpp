@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "libration/equation/text/parse.hpp"
+#include "libration/query/proved_events.hpp"
 #include "libration/scalar/decimal.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/mpfr.hpp"
@@ -81,7 +83,7 @@ TEST_CASE("resets at known times and by the state", "[problem][hybrid]") {
     // Integrate and fire: x = 2 - 2 exp(-t) up to 1, with the period log 2; and the number of spikes.
     const std::string neuron = "x' = 2 - x; n' = 0; x(0) = 0; n(0) = 0; when x = 1 up: x = 0; n = n + 1";
     const std::string renamed = "x' = 2 - x; k' = 0; x(0) = 0; k(0) = 0; when x = 1 up: x = 0; k = k + 1";
-    CHECK_THROWS_WITH(solve(problem(neuron)), Catch::Contains("name of a column"));
+    CHECK(agrees(value_at(neuron, "5", "n_"), mpfr(7)));
     CHECK(agrees(value_at(renamed, "5", "x"), mpfr(2 - 2 * exp(mpfr(7 * log(mpfr(2)) - 5)))));
     CHECK(agrees(value_at(renamed, "5", "k"), mpfr(7)));
     // All resets are from the values before.
@@ -226,6 +228,37 @@ TEST_CASE("solutions in double follow the same branches", "[problem][hybrid]") {
         // Values up to 10, each with some roundings to 2^-53.
         CHECK(std::stod(rough.at(i, "y")) == Approx(std::stod(proved.at(i, "y"))).epsilon(1e-11));
     }
+}
+
+// The motion repeats at each whole time, and 2 is never reached.
+TEST_CASE("a search without an end counts its steps across the events of the problem", "[problem][hybrid]") {
+    const auto saw = solve(problem("x' = 1; x(0) = 0; when x = 1: x = 0"));
+    const ode::event_request never{.g = saw->condition("x = 2"), .horizon = 30};
+    const answer found = saw->events(never, proved_digits(digits), {});
+    CHECK(found.rows.empty());
+    REQUIRE(found.missing);
+    CHECK_THAT(found.missing->what(), Catch::Contains("is not found within 30 steps after "));
+    const ode::event_request often{.g = saw->condition("x = 1/2"), .count = 40, .horizon = 30};
+    CHECK(saw->events(often, proved_digits(digits), {}).rows.size() == 40);
+}
+
+// x = e^-3t up to 1, then more by 1: r = 3 x + floor(t).
+TEST_CASE("expressions of a solution with events have columns", "[problem][hybrid]") {
+    const precision_scope scope(60);
+    const auto shown = [](const std::string& text, const std::string& name) {
+        return solve(problem(ode::with_column(ode::parse(text), name)));
+    };
+    const std::string text = "x' = -k*x; k = 3; x(0) = 1; r = k*x + floor(t); when t = 1: x = x + 1";
+    const answer found = shown(text, "r")->states("1/2,2", proved_digits(digits));
+    CHECK(agrees(found.at(0, "r"), mpfr(3 * exp(mpfr(-3) / 2))));
+    CHECK(agrees(found.at(1, "r"), mpfr(3 * (exp(mpfr(-6)) + exp(mpfr(-3))) + 2)));
+    // Before the event at its time, in double, and as a series of the first branch.
+    const answer halved = shown(text, "r")->events("x = 1/2", 1, proved_digits(digits));
+    CHECK(agrees(halved.at(0, "r"), mpfr(3) / 2));
+    const request rounded{.scalar = {scalar_kind::binary64, 17}, .digits = 17};
+    CHECK(abs(mpfr(mpfr(shown(text, "r")->states("2", rounded).at(0, "r")) - mpfr(found.at(1, "r")))) <
+          pow(mpfr(10), -14));
+    CHECK_THROWS_WITH(shown("x' = abs(x); x(0) = 1; k = 2", "k"), Catch::Contains("is not a name for an expression"));
 }
 
 TEST_CASE("what needs one smooth equation speaks of the first branch, or says so", "[problem][hybrid]") {

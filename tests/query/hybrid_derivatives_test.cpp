@@ -1,6 +1,7 @@
 // Derivatives of solutions with events by initial values and parameters, against closed forms computed here in mpfr.
 #include <catch2/catch.hpp>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "libration/problem/solution.hpp"
@@ -73,11 +74,12 @@ struct bounce {
 // y = V (t - T) - g (t - T)^2/2 after a bounce. T is proportional to sqrt(h/g), V to sqrt(g h).
 TEST_CASE("derivatives of a bouncing ball", "[problem][hybrid][derivatives]") {
     const precision_scope scope(80);
-    const std::string text =
-        "y'' = -g; y(0) = h; y'(0) = 0; when y = 0 down: y' = -k*y'; g = 981/100; h = 10; k = 9/10";
     const mpfr g = mpfr(981) / 100;
     const mpfr h = 10;
-    for (const auto& [t, n] : {std::pair(5, 2), std::pair(11, 5)}) {
+    for (const auto& [t, n, condition] :
+         {std::tuple(5, 2, "y = 0 down"), std::tuple(11, 5, "y = 0 down"), std::tuple(5, 2, "y < 0 and y' < 0")}) {
+        const std::string text = "y'' = -g; y(0) = h; y'(0) = 0; when " + std::string(condition) +
+                                 ": y' = -k*y'; g = 981/100; h = 10; k = 9/10";
         const differentiated found(text, std::to_string(t), {"h", "g", "k", "y(0)"});
         const bounce of(g, h, mpfr(9) / 10, n);
         const mpfr s = t - of.time;
@@ -149,6 +151,9 @@ TEST_CASE("an event makes an unknown depend on what it did not", "[problem][hybr
     CHECK(after.text("dz(t)/dw(0)") == "0");
     CHECK(after.text("dw(t)/dx(0)") == "0");
     after.check("dw(t)/dw(0)", mpfr(exp(mpfr(2))));
+    const differentiated combined("x' = 1; z' = -z; x(0) = 0; z(0) = 1; when x > 1 and t > 1/2: z = z + 1", "2",
+                                  {"x(0)"});
+    combined.check("dz(t)/dx(0)", mpfr(-exp(mpfr(-1))));
     // z = e^u for good.
     const differentiated kept("x' = 1; w' = w; z' = 0; x(0) = 0; w(0) = 1; z(0) = 0; when x = 1: z = w", "2", {"x(0)"});
     kept.check("dz(t)/dx(0)", mpfr(-exp(mpfr(1))));

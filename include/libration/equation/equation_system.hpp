@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -67,11 +68,14 @@ struct reset {
     place at = {};
 };
 
-/// What happens whenever a function of the solution crosses 0 in a direction: resets, all from the values before the
-/// event, or the end of the solution.
+/// What happens whenever a function of the solution crosses 0 in a direction, or a condition begins to hold: resets, all
+/// from the values before the event, or the end of the solution.
 struct state_event {
-    expression condition;  ///< left - right of `when left = right`
+    expression condition = {};  ///< left - right of `when left = right`
     crossing way = crossing::any;
+    /// Instead of these, 1 where a condition on step functions holds, else 0, in their parameters alone: the event is
+    /// where it changes from 0 to 1. So are `when x > 1 and y < 2` and `when mod(t, 12) < 1`.
+    std::optional<expression> holds = {};
     std::vector<reset> resets = {};
     bool stop = false;
     std::string text = {};  ///< as written
@@ -140,6 +144,7 @@ struct equation_system {
     std::vector<step_function> steps;  ///< the step functions of piecewise right-hand sides
     std::vector<delayed_value> delays;
     std::vector<history> histories;
+    std::vector<definition> shown;  ///< further columns, where with_column() does not make unknowns of them
 
     /// left = right.
     equation_system& add(const expression& left, const expression& right = 0);

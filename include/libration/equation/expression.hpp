@@ -81,7 +81,8 @@ public:
     friend expression operator/(const expression& a, const expression& b);
     /// 0*e as a product, which no operation folds: 0 where e has a value (domain/defined_zero.hpp).
     friend expression unfolded_zero(const expression& e);
-    /// base^exponent. Throws error if the exponent is not constant.
+    /// base^exponent; exp(exponent*log(base)), where the base is positive, for an exponent that depends on the variable
+    /// or an unknown. Throws error if then the base is a number that is not positive.
     friend expression pow(const expression& base, const expression& exponent);
     friend expression apply(function_kind f, const expression& x);
     /// A function of constant order. Throws error for an order that is not a fraction, and for a function without an

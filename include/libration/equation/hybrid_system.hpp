@@ -61,9 +61,17 @@ public:
     const std::string& variable() const { return given_.variable; }
     const std::vector<state_event>& events() const { return given_.events; }
     const std::vector<step_function>& steps() const { return given_.steps; }
+    /// The expressions in further columns, in leaves of the state, the variable and step functions.
+    const std::vector<definition>& shown() const { return given_.shown; }
     /// The derivatives of the state that are part of it: theorem H gives their values after an event.
     const std::vector<state_variation>& variations() const { return variations_; }
     void add_variation(state_variation variation) { variations_.push_back(std::move(variation)); }
+
+    /// Whether the condition of an event on step functions holds where they have these values; false for other events.
+    bool holds(const state_event& event, const step_values& values) const;
+
+    /// An expression in leaves and step functions, where these have such values.
+    expression on_branch(const expression& e, const step_values& values) const;
 
     /// The smooth system with these values of the step functions and this initial state. Throws error like
     /// explicit_system.

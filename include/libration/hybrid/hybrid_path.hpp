@@ -69,7 +69,8 @@ struct followed_mode {
 /// known of the solution as a set, and not as a box, continues in the next branch (crossing_set.hpp).
 ///
 /// At the beginning of each branch mode_after (initial_mode.hpp) decides the values of all step functions, or the path
-/// ends.
+/// ends. A condition on step functions has one value on each branch. An event with such a condition happens where it does
+/// not hold on the branch before and holds on the branch that would follow without resets, decided in the same way.
 class hybrid_path {
 public:
     /// The maximum number of events.
@@ -86,7 +87,7 @@ public:
     /// there is unbounded. std::nullopt for the reason end().
     std::optional<std::vector<ball>> at(const number& time, const number& last);
     /// The next zero of the observed function, with the state before an event at the same time; without an end of the
-    /// search within so many steps after the last event.
+    /// search within so many steps after the last such zero, on all branches.
     std::optional<path_event> next_observed(const std::optional<number>& end, long horizon);
 
     /// Whether the state of the last call is that before and after an event.
@@ -125,7 +126,8 @@ private:
     bool happens(const crossing_effect& event, crossing way) const;
     bool has_effect(const surface& of, crossing way) const;
     bool find(const std::optional<number>& end, const std::optional<number>& farthest, long horizon);
-    std::vector<expression> reset_leaves();
+    std::optional<std::vector<std::size_t>> happening_events();
+    std::vector<expression> reset_leaves(const std::vector<std::size_t>& happening);
     std::vector<std::size_t> crossed_steps() const;
     std::vector<expression> zero_functions() const;
     std::optional<search_start> start_on(const surface& of, const branch_beginning& beginning);
@@ -154,6 +156,7 @@ private:
     std::unique_ptr<branch_search> search_;  // on the branch
     std::size_t state_step_ = 0;             // of the last requested state on it
     long steps_ = 0;                         // on the branches before
+    long unobserved_ = 0;                    // on those after the last zero of the observed function, of one surface
     std::optional<path_event> next_;         // at which the branch ends
     std::vector<crossed_surface> crossed_;   // there
     std::vector<expression> reset_values_;   // of all resets there, also of those that a later one replaces

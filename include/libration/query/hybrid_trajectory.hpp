@@ -9,8 +9,8 @@
 
 namespace libration::ode {
 
-/// The unknowns and their lower derivatives at times from the initial point on, in any order: `digits` significant
-/// digits each, proved (hybrid_path, in runs with increasing precision). At the time of an event the values after it.
+/// The unknowns, their lower derivatives and the expressions to show at times from the initial point on, in any order:
+/// `digits` significant digits each, proved (hybrid_path, in runs with increasing precision). At the time of an event the values after it.
 /// `missing` is an error of the kind undecided where a path ends before a time: at an event that ends the solution,
 /// where it slides, where events accumulate, near a singularity, and where 8 times the first bits, and 1024 of them, do
 /// not decide which event is next; the message contains the number of events before and their last time. A value that
@@ -22,6 +22,7 @@ partial_trajectory proved_part_of_hybrid(const hybrid_system& system, const std:
 /// A branch of the solution: a smooth system from a point within the precision of the time of its event.
 struct hybrid_branch {
     explicit_system system;
+    step_values steps;
     std::vector<std::size_t> times;  ///< the indices of the times on it
 };
 

@@ -63,7 +63,7 @@ const rules reference_rules{
     {"--until", "!--problem", "requires --problem", "leave it out, or write --problem pendulum"},
     {"--count --crossing --before --horizon --from-start --how-many", "!--until", "requires --until", add_until},
     {"--over --parts", "!--problem", "requires --problem", add_problem},
-    {"--motions --columns --jobs", "--problem", "has no meaning for a problem"},
+    {"--motions --columns --jobs", "--problem", "does not apply to --problem"},
     {"--columns", "!--motions", "requires --motions"},
     {"--times", "--until", "is given together with --until, which finds the times", "leave one out"},
     {"--over", "--times|--until", "is given together with --times or --until", "leave one out"},

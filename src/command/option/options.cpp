@@ -45,7 +45,8 @@ exact positive_number_of(const std::string& option, const std::string& value) {
 void add_digits(CLI::App& command, std::optional<std::string>& value) {
     command
         .add_option("--digits", value,
-                    fmt::format("significant digits, each proved to one unit in the last ({})", defaults::digits))
+                    fmt::format("significant digits, each proved to within one unit in the last place (default {})",
+                                defaults::digits))
         ->type_name("D");
 }
 
@@ -71,7 +72,9 @@ std::string names_of(arithmetics offered) {
 
 void arithmetic_options::add_to(CLI::App& command, arithmetics offered) {
     offered_ = offered;
-    command.add_option("--digits", digits_, "significant digits to print, each right to one unit in the last")
+    command
+        .add_option("--digits", digits_,
+                    "significant digits to print, each correct to within one unit in the last place")
         ->type_name("D");
     command.add_option("--scalar", scalar_, "arithmetic: " + names_of(offered))->type_name("S");
 }
@@ -106,7 +109,7 @@ std::string output_options::offered() const {
 void output_options::add_to(CLI::App& command, columns_option columns) {
     command.add_option("--format", format_, offered())->type_name("FORMAT")->capture_default_str();
     if (columns == columns_option::own && formats_.size() == output_options().formats_.size()) {
-        command.add_option("--columns", columns_, "these columns alone, in this order: NAME,NAME,...")
+        command.add_option("--columns", columns_, "print only these columns, in this order: NAME,NAME,...")
             ->type_name("NAMES");
     }
     command.add_option("--out", out_, "write to this file instead of stdout")->type_name("FILE");

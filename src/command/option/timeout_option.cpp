@@ -49,8 +49,9 @@ std::chrono::milliseconds duration_of(const std::string& value) {
 
 void timeout_option::add_to(CLI::App& command) {
     command
-        .add_option("--timeout", value_,
-                    "end after this time, 90, 90s or 5min, with what is finished and exit code 1, as Ctrl-C does")
+        .add_option(
+            "--timeout", value_,
+            "stop after this time (90, 90s or 5min), print what is finished and exit with status 1, like Ctrl-C")
         ->type_name("SECONDS");
 }
 

@@ -46,7 +46,7 @@ std::optional<figure_file> plot_flag::file(const output_options& output) const {
 void plot_axes::add_to(CLI::App& command) {
     command
         .add_option("--plot", words_,
-                    fmt::format("draws Y over X, t,x for a time series, x,y for a phase plane, t,x,y for several, {}",
+                    fmt::format("plot Y against X, t,x for a time series, x,y for a phase plane, t,x,y for several, {}",
                                 file_help))
         ->type_name("X,Y,...");
 }

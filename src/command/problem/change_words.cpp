@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <cctype>
 #include <iterator>
+#include <string_view>
 #include <vector>
 
+#include "libration/equation/text/parse.hpp"
+#include "libration/scalar/error.hpp"
 #include "libration/scalar/near_word.hpp"
 #include "text/input_error.hpp"
 
@@ -34,6 +37,16 @@ std::string started_in(const std::string& left) {
     return std::ranges::all_of(name, [](char c) { return is_of_name(c) || c == '\''; }) ? name : "";
 }
 
+// The name that the system has for the unknown of an initial value: n_ for n.
+std::string name_in_system(const ode::equation_system& system, const std::string& left, const std::string& started) {
+    try {
+        const ode::expression of = started.empty() ? ode::expression() : ode::parse_value_at_time(system, left).of;
+        return of.kind() == ode::node_kind::unknown ? ode::primed(of.name(), of.derivative()) : started;
+    } catch (const error&) {
+        return started;
+    }
+}
+
 // Whether ode::changed() names the meaning of a name that is not a parameter.
 bool has_other_meaning(const ode::equation_system& system, const std::string& name) {
     const auto unknowns = system.unknowns();
@@ -42,7 +55,9 @@ bool has_other_meaning(const ode::equation_system& system, const std::string& na
 
 [[noreturn]] void refuse(const std::string& change, const std::string& left, const char* what,
                          const std::vector<std::string>& own) {
-    throw input_error("--set", change, fmt::format("does not name a {} of this problem{}", what, suggestion(left, own)),
+    const std::string article = std::string_view("aeiou").find(what[0]) == std::string_view::npos ? "a" : "an";
+    throw input_error("--set", change,
+                      fmt::format("does not name {} {} of this problem{}", article, what, suggestion(left, own)),
                       own.empty() ? fmt::format("leave it out, as there is no {}", what)
                                   : fmt::format("choose one of its own, {}", fmt::join(own, ", ")));
 }
@@ -61,7 +76,7 @@ void require_changeable(const ode::equation_system& system, const std::string& c
         std::ranges::transform(system.open, std::back_inserter(own), &ode::open_parameter::name);
         refuse(change, left, "parameter", own);
     }
-    const std::string started = started_in(left);
+    const std::string started = name_in_system(system, left, started_in(left));
     std::vector<std::string> names;
     std::vector<std::string> own;
     for (const std::string& unknown : started.empty() ? std::vector<std::string>() : system.unknowns()) {

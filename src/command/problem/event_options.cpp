@@ -49,7 +49,7 @@ void event_options::add_to(CLI::App& command) {
     command.add_flag("--from-start", from_start_, "include the initial time if the condition holds there");
     command
         .add_option("--horizon", horizon_,
-                    fmt::format("maximum number of steps without an event (default {}; none with --before)",
+                    fmt::format("maximum number of steps without such an event (default {}; none with --before)",
                                 ode::zero_search::usual_horizon))
         ->type_name("STEPS");
     command.add_flag("--how-many", how_many_,

@@ -41,8 +41,8 @@ const char* name_of(ode::step_method method) {
 void integrator_options::add_to(CLI::App& command) {
     command
         .add_option("--integrator", integrator_,
-                    "of a problem at times: automatic (the default), taylor or collocation, which is for stiff "
-                    "equations; the last two also replace closed forms")
+                    "automatic (default), taylor, or collocation (for stiff equations); taylor and collocation are "
+                    "used even where a closed form is known")
         ->type_name("NAME");
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <cstdlib>
 #include <mutex>
@@ -49,9 +50,20 @@ public:
             shown_.step(now - done_);
             done_ = now;
         }
+        if (whole_ == 0 && std::chrono::steady_clock::now() - start_ > next_line_) {
+            tell_how_far(time);
+        }
     }
 
 private:
+    // Of a search without an end.
+    void tell_how_far(const ball& time) {
+        const precision_scope scope(20);
+        say_line(fmt::format("event {} is not found up to time {} in {} s: --before TIME ends the search", known_ + 1,
+                             to_decimal(midpoint_of(time), 6), next_line_.count()));
+        next_line_ *= 6;
+    }
+
     double of_time(const ball& time) const {
         const precision_scope scope(20);
         return mpfr(abs(midpoint_of(time) - origin_) / whole_).convert_to<double>();
@@ -68,6 +80,8 @@ private:
     long bits_ = 0;
     std::size_t known_ = 0;
     std::size_t done_ = 0;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    std::chrono::seconds next_line_{10};
 };
 
 // The results of a search up to a signal that ends it, written in one thread and read in another.

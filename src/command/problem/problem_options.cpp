@@ -9,6 +9,7 @@
 
 #include "change_words.hpp"
 #include "libration/equation/delay_system.hpp"
+#include "libration/equation/renamed_unknowns.hpp"
 #include "libration/equation/text/parse.hpp"
 #include "libration/equation/unused_parameters.hpp"
 #include "libration/hybrid/initial_mode.hpp"
@@ -104,22 +105,20 @@ void problem_options::add_to(CLI::App& command, closed_forms known, set_values s
                     "any equation: a name of the catalogue, a file, or \"y' = 2y; y(0) = 1\", also dy/dt = ..., y'(x) "
                     "= ..., e^t, "
                     "x^2 or x\u00b2, with the functions " +
-                        function_names())
+                        function_names() + " and abs, max, mod, atan2, if(x > 0, a, b), ... (docs/equations.md)")
         ->type_name("P");
     const std::string of_families = sets == set_values::lists ? "; k=1,2,3 or k=1:3:5 for a family" : "";
     command
         .add_option("--set", changes_,
-                    "a parameter or initial value that the problem leaves open, or another one: k=1/3, \"f'(0)=1\"" +
-                        of_families)
+                    "set or override a parameter or an initial value: k=1/3, \"f'(0)=1\"" + of_families)
         ->type_name("X=VALUE");
     command
         .add_option("--show", shown_,
-                    "compute also what the problem names: r of r = k*x*y; several, separated by commas")
+                    "also print named expressions of the problem, e.g. r for r = k*x*y; separate several by commas")
         ->delimiter(',')
         ->type_name("NAMES");
     if (known == closed_forms::used) {
-        command.add_flag("--general", general_,
-                         "by Taylor series even if the equations are those of a problem with a closed form");
+        command.add_flag("--general", general_, "integrate by Taylor series even where a closed form is known");
     }
 }
 
@@ -200,6 +199,10 @@ void warn_of_unused_parameters(const std::string& written) {
 void problem_options::warn_of_unused(const std::string& written) const {
     if (std::exchange(*warned_, true)) {
         return;
+    }
+    for (const auto& [name, column] : ode::renamed_unknowns(written)) {
+        fmt::print(stderr, "libration: the unknown {} is in the column {}, since {} is another column of tables\n",
+                   quotation(name), quotation(column), quotation(name));
     }
     std::string used = written;
     for (const char* option : {"--until", "--such-that"}) {

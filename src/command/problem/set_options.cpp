@@ -123,13 +123,13 @@ partial_table table_of_events(const ode::set_events& found, long digits) {
 void set_options::add_to(CLI::App& command) {
     command
         .add_option("--over", over_,
-                    "with --problem: enclosures of the solution over all times from A to B, or over each of N spans "
-                    "of the same length")
+                    "with --problem: enclosures of the solution over all times from A to B, or over each of N equal "
+                    "parts")
         ->type_name("A:B[:N]");
     command
         .add_option("--parts", parts_,
-                    "with sets, x(0) = [0.9, 1.1] or k = 1 +- 0.1: into at most how many parts they are divided "
-                    "(default 64)")
+                    "with sets, x(0) = [0.9, 1.1] or k = 1 +- 0.1: maximum number of parts into which the set is "
+                    "divided (default 64)")
         ->type_name("N");
 }
 

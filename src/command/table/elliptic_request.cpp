@@ -236,18 +236,18 @@ std::string elliptic_names() {
 }
 
 void offer_elliptic(option_words& said, CLI::App& command) {
-    said.offer(
-        command,
-        {{"--u", "U", "argument of am, sn, cn, dn, cd, ...: 1.5, 3/2, pi/4, or a list; not for am also complex, 1+2i"},
-         {"--phi", "A", "amplitude of F, E, D, Pi, Zeta: 1.5, 3pi/4, 60deg, or a list"},
-         {"--x", "X", "argument of the inverses arcsn, arccn, ...: 0.5, 1/3, or a list"},
-         {"--z", "Z", "argument of theta1 .. theta4: 0.5, pi/4, or a list"},
-         {"--n", "N", "the characteristic of Pi"},
-         {"--k", "K", "the modulus k"},
-         {"--m", "M", "the parameter m = k^2, any real number"},
-         {"--m1", "M1", "the complementary parameter m1 = 1 - m: 1e-30 keeps its digits"},
-         {"--alpha", "A", "the modular angle, m = sin^2 alpha: 0.5, pi/6, 30deg"},
-         {"--q", "Q", "the nome of theta1 .. theta4"}});
+    said.offer(command,
+               {{"--u", "U",
+                 "argument of am, sn, cn, dn, cd, ...: 1.5, 3/2, pi/4, or a list; also complex, 1+2i, except for am"},
+                {"--phi", "A", "amplitude of F, E, D, Pi, Zeta: 1.5, 3pi/4, 60deg, or a list"},
+                {"--x", "X", "argument of the inverses arcsn, arccn, ...: 0.5, 1/3, or a list"},
+                {"--z", "Z", "argument of theta1 .. theta4: 0.5, pi/4, or a list"},
+                {"--n", "N", "the characteristic of Pi"},
+                {"--k", "K", "the modulus k"},
+                {"--m", "M", "the parameter m = k^2, any real number"},
+                {"--m1", "M1", "the complementary parameter m1 = 1 - m, for m close to 1: 1e-30 loses no digits"},
+                {"--alpha", "A", "the modular angle, m = sin^2 alpha: 0.5, pi/6, 30deg"},
+                {"--q", "Q", "the nome of theta1 .. theta4"}});
 }
 
 elliptic_request read_elliptic(const std::vector<const named_function*>& functions, const option_words& said,

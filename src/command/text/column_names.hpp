@@ -30,6 +30,8 @@ public:
     /// match, and std::logic_error for an unknown name.
     std::optional<std::size_t> find(std::string_view name) const;
     std::size_t count() const { return own_.size(); }
+    /// Whether the user leaves a column out, by NAME=-.
+    bool is_ignored(std::size_t at) const { return mapped_[at] == "-"; }
     /// What the file calls a column.
     const std::string& own(std::size_t at) const { return own_[at]; }
     const std::vector<std::string>& own() const { return own_; }

@@ -66,7 +66,7 @@ subcommand claims_command(CLI::App& program) {
     CLI::App* command = program.add_subcommand("claims", "test the statements of the paper: verdict and number");
     command->add_option("NAME", options->names, "these claims only; all without it");
     options->output.add_to(*command);
-    command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");
+    command->add_option("--jobs", options->jobs, "number of threads (default: all cores)")->type_name("J");
     return {command, [options] { return run_claims(*options); }};
 }
 

@@ -251,10 +251,10 @@ subcommand find_command(CLI::App& program) {
                      "follow the branch of solutions in a parameter, past turning points: \"k=0:3.5:36\"")
         ->type_name("NAME=VALUES");
     command
-        ->add_option("--certificate", options->certificate,
-                     "of conditions y(1) = 2 at one time, or of --periodic: a file from which check/libration_check.py "
-                     "proves the "
-                     "root or the orbit again, in integers")
+        ->add_option(
+            "--certificate", options->certificate,
+            "of conditions y(1) = 2 at one time, or of --periodic: write a certificate that check/libration_check.py "
+            "verifies independently in integer arithmetic")
         ->type_name("FILE");
     command->add_flag("--periodic", options->periodic, "the periodic orbit near the initial values, and its period");
     command->add_flag(

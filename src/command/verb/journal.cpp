@@ -297,8 +297,9 @@ int run_journal(const journal_options& options) {
 subcommand journal_command(CLI::App& program) {
     const auto options = std::make_shared<journal_options>();
     CLI::App* command = program.add_subcommand(
-        "journal", "the finished cells of studies: DIR lists them; merge DIR... --out DIR makes the tables of shards");
-    command->add_option("DIR", options->folders, "the --out of a study; or merge and those of its shards")
+        "journal",
+        "list the finished cells of a study (journal DIR), or merge shards (journal merge DIR... --out DIR)");
+    command->add_option("DIR", options->folders, "the output folder of a study, or 'merge' and those of its shards")
         ->required()
         ->type_name("DIR");
     command->add_option("--check", options->check, "recompute this share of the cells and compare: 1%")
@@ -306,7 +307,7 @@ subcommand journal_command(CLI::App& program) {
     command->add_option("--export", options->file, "write all cells to FILE, one JSON object per line")
         ->type_name("FILE");
     command->add_flag("--drop", options->drop, "remove the journals");
-    command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");
+    command->add_option("--jobs", options->jobs, "number of threads (default: all cores)")->type_name("J");
     options->output.add_to(*command, output_options::columns_option::not_here);
     return {command, [options] { return run_journal(*options); }};
 }

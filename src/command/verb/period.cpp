@@ -77,7 +77,9 @@ subcommand period_command(CLI::App& program) {
     options->motion.add_to(*command);
     options->arithmetic.add_to(*command, arithmetics::proved_too);
     options->output.add_to(*command);
-    command->add_option("--method", options->method, "agm; series (Kold) or resummed (Knew), with --order")
+    command
+        ->add_option("--method", options->method,
+                     "agm, or the series (Kold in the paper) or resummed (Knew), truncated at --order")
         ->capture_default_str();
     command->add_option("--order", options->order, "last power k^(2N) of a partial sum")->type_name("N");
     return {command, [options] { return run_period(*options); }};

@@ -393,10 +393,12 @@ subcommand reference_command(CLI::App& program) {
                      "with --problem: a CSV file with the steps of the integration, written also if it fails")
         ->type_name("FILE");
     command
-        ->add_option("--certificate", options->certificate,
-                     "with --problem: a file from which check/libration_check.py proves the values again, in integers")
+        ->add_option(
+            "--certificate", options->certificate,
+            "with --problem: write a certificate that check/libration_check.py verifies independently in integer "
+            "arithmetic")
         ->type_name("FILE");
-    command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");
+    command->add_option("--jobs", options->jobs, "number of threads (default: all cores)")->type_name("J");
     options->events.add_to(*command);
     options->sets.add_to(*command);
     command->add_flag(

@@ -20,6 +20,7 @@
 #include "paper/report/results_comparison.hpp"
 #include "paper/report/unfinished_run.hpp"
 #include "run/shared_cores.hpp"
+#include "sweep/study_figures.hpp"
 #include "sweep/study_files.hpp"
 #include "sweep/study_order.hpp"
 #include "sweep/study_run.hpp"
@@ -151,6 +152,13 @@ private:
     std::mutex mutex_;
 };
 
+// results/ here or, elsewhere, that of the tree from which the program comes.
+std::string usual_results() {
+    std::error_code error;
+    const fs::path own = fs::path(studies_folder()).parent_path() / "results";
+    return !fs::is_directory("results", error) && fs::is_directory(own, error) ? own.string() : "results";
+}
+
 // The published folder to compare with, if there is one.
 bool has_published(const reproduce_options& options) {
     std::error_code error;
@@ -185,6 +193,8 @@ bool judge_by_published(const reproduce_options& options, const std::vector<std:
         const results_comparison found = compared(options.out, options.results, names);
         say_all(found.lines(options.results));
         same = found.same() || options.publish;
+    } else if (!options.publish) {
+        say_line("not compared: there is no folder of published results: name it by --results DIR");
     }
     if (options.publish && complete) {
         publish(options.out, options.results, names);
@@ -236,21 +246,26 @@ subcommand reproduce_command(CLI::App& program) {
         "reproduce",
         "make the paper's studies, claims and reference values again, write the report, compare with results/");
     command->add_option("SET", options->set, "paper, problems, proved or all")->capture_default_str();
-    command->add_option("--out", options->out, "the folder to write; an interrupted run there is gone on with")
+    command->add_option("--out", options->out, "the folder to write; an interrupted run is resumed")
         ->type_name("DIR")
         ->capture_default_str();
     command
-        ->add_option("--results", options->results,
-                     "the published folder: a table of mpfr or of balls that differs from it is exit code 1")
+        ->add_option(
+            "--results", options->results,
+            "the published folder, here or in the source tree; if a table of mpfr or of balls differs from it, "
+            "the exit code is 1")
         ->type_name("DIR")
         ->capture_default_str();
     command->add_flag("--publish", options->publish, "then replace the published folder by what was made");
     command->add_option("--only", options->only, "these studies only (and 'claims', 'reference')")->type_name("NAMES");
     command->add_option("--skip", options->skip, "all but these studies (or 'claims', 'reference')")
         ->type_name("NAMES");
-    command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");
+    command->add_option("--jobs", options->jobs, "number of threads (default: all cores)")->type_name("J");
     return {command, [options, command] {
                 options->results_given = command->count("--results") > 0;
+                if (!options->results_given && !options->publish) {
+                    options->results = usual_results();
+                }
                 return run_reproduce(*options);
             }};
 }

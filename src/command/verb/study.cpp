@@ -281,7 +281,7 @@ subcommand study_command(CLI::App& program) {
                      "only the I-th of N shares of the cells, into the journal of DIR: 'libration journal merge' "
                      "makes the tables of all")
         ->type_name("I/N");
-    command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");
+    command->add_option("--jobs", options->jobs, "number of threads (default: all cores)")->type_name("J");
     return {command, [options] { return run_study(*options); }};
 }
 

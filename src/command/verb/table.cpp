@@ -77,12 +77,12 @@ subcommand table_command(CLI::App& program) {
         *command, "--points", "FILE",
         "a file with a point in each row instead: a motion and a time, or u (phi, x) and m (m1, k)");
     options->order.said.offer(*command, "--columns", "THEIRS=OURS,...",
-                              "the names of its columns: t=time,E=energy, - for none of these");
+                              "the names of its columns: t=time,E=energy; NAME=- ignores a column");
     add_digits(*command, options->digits);
     options->output.add_to(*command);
     command->add_option("--name", options->name, "name of the array in cpp, ipp, c, fortran, julia and pari")
         ->type_name("NAME");
-    command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");
+    command->add_option("--jobs", options->jobs, "number of threads (default: all cores)")->type_name("J");
     return {command, [options] { return run_table(*options); }};
 }
 

@@ -239,9 +239,10 @@ subcommand trajectory_command(CLI::App& program) {
                      "corners of the path to the times of a problem in the complex plane: 1+i,2+i")
         ->type_name("LIST");
     command
-        ->add_option("--step", options->step, fmt::format("step of rk4 in dimensionless time, else {}", defaults::step))
+        ->add_option("--step", options->step,
+                     fmt::format("step of rk4 in dimensionless time (default {})", defaults::step))
         ->type_name("H");
-    command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");
+    command->add_option("--jobs", options->jobs, "number of threads (default: all cores)")->type_name("J");
     return {command, [options] { return run_trajectory(*options); },
             [options](std::string_view /*complex*/) { return has_imaginary_unit(options->times); }};
 }

@@ -235,10 +235,13 @@ int run_verify(const verify_options& options) {
 subcommand verify_command(CLI::App& program) {
     const auto options = std::make_shared<verify_options>();
     CLI::App* command = program.add_subcommand(
-        "verify", "compare a table of theta at times, or of elliptic functions, row by row with proved values");
+        "verify",
+        "compare a table of theta at times, of the unknowns of a problem or of elliptic functions with proved values");
     command->add_option(
         "FILE", options->file,
-        "columns time, theta, optionally omega, and a motion: theta0 and omega0, gap or energy, optionally "
+        "columns time and unknowns of --problem; or time, theta, optionally omega, and a motion: theta0 "
+        "and omega0, gap "
+        "or energy, optionally "
         "direction, length and gravity; or u (phi, x), m (m1, k) and am, sn, cn, dn, K, F, ..., complex u "
         "as 1+2i or in u_re and u_im with sn_re and sn_im, ...; - for stdin");
     command
@@ -249,30 +252,36 @@ subcommand verify_command(CLI::App& program) {
     options->motion.add_to(*command);
     options->problem.add_to(*command);
     command
-        ->add_option("--columns", options->columns,
-                     "the names of your columns: t=time,E=energy, - for none of these; without a header all in order")
+        ->add_option(
+            "--columns", options->columns,
+            "the names of your columns: t=time,E=energy; NAME=- ignores a column; if the file has no header, name "
+            "all columns in order")
         ->type_name("THEIRS=OURS,...");
     command
-        ->add_option("--tolerance", options->tolerance,
-                     "largest |error|; without it one unit of the last digit as written, for a column of doubles in "
-                     "decimal half a unit in their last place")
-        ->type_name("X");
-    command->add_option("--relative", options->relative, "largest |error/value|; with --tolerance one of the two does")
+        ->add_option(
+            "--tolerance", options->tolerance,
+            "largest |error| (default: one unit of the last digit as written; for doubles in decimal half a unit in "
+            "the last place)")
         ->type_name("X");
     command
-        ->add_option("--ulp", options->ulps, "the tolerance in units in the last place of a double of max(1,|value|)")
+        ->add_option("--relative", options->relative,
+                     "largest |error/value|; if --tolerance is also given, meeting either is enough")
+        ->type_name("X");
+    command
+        ->add_option("--ulp", options->ulps,
+                     "tolerance in units in the last place of double precision, relative to max(1,|value|)")
         ->type_name("N");
     command->add_flag("--rounding", options->rounding,
                       "half a unit of the last digit as written: for printed tables, whose values are rounded");
     command->add_flag("--modulo-2pi", options->modulo_turn, "theta counts modulo 2 pi");
     command
         ->add_option("--inputs", options->inputs,
-                     "decimal: times and arguments as typed; double: their nearest doubles; "
-                     "without it double if they are doubles in decimal, such as those of numpy.savetxt")
+                     "decimal: times and arguments as typed; double: their nearest doubles "
+                     "(default: double if they are doubles in decimal, such as those of numpy.savetxt)")
         ->type_name("decimal|double");
     command->add_option("--format", options->format, "csv or json")->type_name("FORMAT")->capture_default_str();
     command->add_option("--out", options->out, "write the rows to this file instead of stdout")->type_name("FILE");
-    command->add_option("--jobs", options->jobs, "threads; all cores without it")->type_name("J");
+    command->add_option("--jobs", options->jobs, "number of threads (default: all cores)")->type_name("J");
     return {command, [options] { return run_verify(*options); }};
 }
 

@@ -1,6 +1,7 @@
 #include "verify/verify_layout.hpp"
 
 #include <optional>
+#include <utility>
 
 #include "text/input_error.hpp"
 #include "verify/function_questions.hpp"
@@ -73,7 +74,11 @@ std::unique_ptr<row_subject> row_subject_of(const problem_options& problem, cons
         check_motion(motion);
         return std::make_unique<columns_subject>(motion, rules);
     }
-    return std::make_unique<problem_layout>(problem.choose(), problem.equations(), rules);
+    auto equations = problem.equations();
+    if (equations.is_smooth() || equations.has_delays()) {
+        return std::make_unique<problem_layout>(problem.choose(), std::move(equations), rules);
+    }
+    return std::make_unique<problem_layout>(problem.naming([&] { return ode::hybrid_system(equations); }), rules);
 }
 
 }  // namespace libration

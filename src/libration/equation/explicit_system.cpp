@@ -56,7 +56,7 @@ bool same_number(const number& a, const number& b) {
 // (delay/delay_system.hpp).
 void require_smooth(const equation_system& given) {
     const std::string reason =
-        ", which is supported for values at times and for events (reference, trajectory) alone: leave it out";
+        ", which only reference, trajectory and verify support";
     if (!given.events.empty()) {
         refuse(given.events.front().text, given.events.front().at, "is an event" + reason);
     }

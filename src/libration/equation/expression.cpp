@@ -245,7 +245,11 @@ expression unfolded_zero(const expression& e) {
 
 expression pow(const expression& base, const expression& exponent) {
     if (!exponent.is_constant()) {
-        throw error(error_kind::argument, "exponent", "", "is not constant: write exp(y*log(x)) for x^y");
+        if (is_number(base) && base.constant().sign() <= 0) {
+            throw error(error_kind::argument, "exponent", "",
+                        "is not constant over a base that is not positive: x^y is exp(y*log(x)), for x > 0");
+        }
+        return apply(function_kind::exp, exponent * apply(function_kind::log, base));
     }
     if (exponent.is(1)) {
         return base;

@@ -241,12 +241,15 @@ void hybrid_system::require_state_in_events() const {
     for (const step_function& each : given_.steps) {
         require_state(each.argument, leaves_, each.at);
     }
+    for (const definition& each : given_.shown) {
+        require_state(each.value, leaves_, each.at);
+    }
     for (const state_event& each : given_.events) {
         require_smooth(each.condition, each);
         for (const reset& value : each.resets) {
             require_smooth(value.value, each);
         }
-        if (each.condition.is_constant()) {
+        if (each.holds ? each.holds->kind() == node_kind::constant : each.condition.is_constant()) {
             refuse(each.text, each.at,
                    "has a condition that does not depend on the solution or on " + given_.variable +
                        ": write one, as y = 0");
@@ -269,6 +272,9 @@ void put_values(equation_system& in, parameter_values& parameters) {
     }
     for (step_function& each : in.steps) {
         each.argument = parameters.in(each.argument);
+    }
+    for (definition& each : in.shown) {
+        each.value = parameters.in(each.value);
     }
     for (state_event& each : in.events) {
         each.condition = parameters.in(each.condition);
@@ -368,6 +374,20 @@ expression hybrid_system::argument(std::size_t step, const step_values& values) 
     return with_parameters(u, [&](const std::string& name) { return std::optional(known.at(name)); });
 }
 
+expression hybrid_system::on_branch(const expression& e, const step_values& values) const {
+    std::map<std::string, expression> known;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        for (const definition& each : parameters_of(given_.steps[i], values[i])) {
+            known.emplace(each.name, each.value);
+        }
+    }
+    return with_parameters(e, [&](const std::string& name) { return std::optional(known.at(name)); });
+}
+
+bool hybrid_system::holds(const state_event& event, const step_values& values) const {
+    return event.holds && !on_branch(*event.holds, values).is(0);
+}
+
 std::optional<number> hybrid_system::constant_step(std::size_t step, const step_values& values) const {
     const expression u = argument(step, values);
     if (u.kind() != node_kind::constant) {
@@ -432,6 +452,9 @@ std::vector<surface> hybrid_system::surfaces(const step_values& values) const {
         }
     }
     for (std::size_t i = 0; i < given_.events.size(); ++i) {
+        if (given_.events[i].holds) {
+            continue;
+        }
         const expression& g = given_.events[i].condition;
         surface& at = add_surface(all, g, given_.events[i].text);
         at.events.push_back({i, orientation(at, g)});

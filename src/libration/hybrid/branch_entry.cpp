@@ -30,10 +30,8 @@ ball value_in(const first_order_form& form, const expression& e, const std::vect
 
 }  // namespace
 
-// What the leaves are after an event, in terms of their values before: the resets of all statements that it meets, in
-// the order of the statements.
-std::vector<expression> hybrid_path::reset_leaves() {
-    reset_values_.clear();
+// The events of the crossing, in the order of the statements; std::nullopt for the reason end().
+std::optional<std::vector<std::size_t>> hybrid_path::happening_events() {
     std::vector<std::size_t> happening;
     for (const crossed_surface& each : crossed_) {
         for (const crossing_effect& event : each.of.events) {
@@ -42,7 +40,29 @@ std::vector<expression> hybrid_path::reset_leaves() {
             }
         }
     }
+    const auto& events = system_.events();
+    if (std::ranges::any_of(events, [](const state_event& each) { return each.holds.has_value(); })) {
+        const branch_beginning unchanged(system_, next_->time, next_->exactly, system_.leaves(), zero_functions(),
+                                         next_->state);
+        const initial_mode mode = mode_after(unchanged, piece_->steps, crossed_steps());
+        if (!mode.values) {
+            ended(path_end::undecided, "it is not decided which events happen: " + mode.reason(system_));
+            return std::nullopt;
+        }
+        for (std::size_t i = 0; i < events.size(); ++i) {
+            if (!system_.holds(events[i], piece_->steps) && system_.holds(events[i], *mode.values)) {
+                happening.push_back(i);
+            }
+        }
+    }
     std::ranges::sort(happening);
+    return happening;
+}
+
+// What the leaves are after an event, in terms of their values before: the resets of all statements that it meets, in
+// the order of the statements.
+std::vector<expression> hybrid_path::reset_leaves(const std::vector<std::size_t>& happening) {
+    reset_values_.clear();
     const auto& leaves = system_.leaves();
     std::vector<expression> now = leaves;
     for (const std::size_t index : happening) {
@@ -153,7 +173,16 @@ bool hybrid_path::take() {
 bool hybrid_path::continue_on_branch() {
     last_time_ = next_->time;
     ++count_;
-    entered_branch entered{.leaves = reset_leaves(), .state = {}};
+    const auto happening = happening_events();
+    if (!happening) {
+        return false;
+    }
+    for (const std::size_t index : *happening) {
+        if (system_.events()[index].stop) {
+            return ended(path_end::stop, "`" + system_.events()[index].text + "` ends the solution");
+        }
+    }
+    entered_branch entered{.leaves = reset_leaves(*happening), .state = {}};
     const first_order_form form(piece_->system);
     for (std::size_t k = 0; k < entered.leaves.size(); ++k) {
         const bool kept = same_form(entered.leaves[k], system_.leaves()[k]);
@@ -281,6 +310,7 @@ bool hybrid_path::enter(const entered_branch& entered, const step_values& values
         reset_last_.push_back(!same_form(entered.leaves[k], system_.leaves()[k]));
     }
     steps_ = steps();
+    unobserved_ += 1 + search_->most_steps();  // the step in which the branch ends is not counted there
     search_.reset();
     piece_ = std::move(piece);
     next_.reset();

@@ -60,6 +60,14 @@ long branch_search::steps() const {
     return sum;
 }
 
+long branch_search::most_steps() const {
+    long most = 0;
+    for (const watched& each : watched_) {
+        most = std::max(most, each.search ? each.search->steps() : 0);
+    }
+    return most;
+}
+
 void branch_search::resume(std::size_t surface) {
     watched_[surface].found.reset();
     watched_[surface].passed = watched_[surface].of.of.time.has_value();
@@ -107,8 +115,8 @@ void branch_search::read_end(watched& each, bool has_end, long horizon) {
             each.over = true;
             each.limit = reached;
             each.why = path_end::steps;
-            each.reason = "the steps become too small at time " + proved_reach_text(reached, true) +
-                          ", as they do near a singularity";
+            each.reason = "the step size falls below its minimum at time " + proved_reach_text(reached, true) +
+                          " (probably a singularity)";
             break;
         case search_end::undecided:
             each.over = true;

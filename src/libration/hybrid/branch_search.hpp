@@ -54,6 +54,8 @@ public:
 
     /// The steps that were searched, for each surface.
     long steps() const;
+    /// Of the surface for which the most were searched.
+    long most_steps() const;
     path_end end() const { return end_; }
     /// What is not decided, or where the steps become too small.
     const std::string& reason() const { return reason_; }

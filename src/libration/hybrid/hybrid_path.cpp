@@ -229,8 +229,8 @@ std::optional<std::vector<ball>> hybrid_path::state_before(const number& time) {
         return values_at(*place);
     }
     ended(along.why() == stop::step_too_small ? path_end::steps : path_end::precision,
-          "the steps become too small at time " + proved_reach_text(along.reached(), true) +
-              ", as they do near a singularity");
+          "the step size falls below its minimum at time " + proved_reach_text(along.reached(), true) +
+              " (probably a singularity)");
     return std::nullopt;
 }
 
@@ -297,7 +297,12 @@ std::optional<path_event> hybrid_path::next_observed(const std::optional<number>
     try {
         for (;;) {
             if (observed_event_) {
+                unobserved_ = search_ ? -search_->most_steps() : 0;
                 return complete(*observed_event_) ? std::exchange(observed_event_, std::nullopt) : std::nullopt;
+            }
+            if (!end && unobserved_ >= horizon) {
+                ended(path_end::horizon);
+                return std::nullopt;
             }
             if (next_ ? !take() : !find(end, end, horizon)) {
                 return std::nullopt;

@@ -176,7 +176,8 @@ private:
     }
 
     void add_dependence_by(const state_event& event, dependence_on_number& of) const {
-        const bool moves = of.has(event.condition);
+        const auto has_argument = [&](const step_function& each) { return of.has(each.argument); };
+        const bool moves = event.holds ? std::ranges::any_of(varied_.steps, has_argument) : of.has(event.condition);
         for (const reset& each : event.resets) {
             if (moves || of.has(each.value)) {
                 of.unknowns.insert(each.of.name());

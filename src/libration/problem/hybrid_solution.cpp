@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "../query/shown_values.hpp"
 #include "libration/digits/printed_values.hpp"
 #include "libration/equation/text/parse.hpp"
 #include "libration/hybrid/initial_mode.hpp"
@@ -22,17 +23,23 @@ constexpr const char* unsupported = "is not supported for a problem with events 
 
 // The states on one branch, each value in the arithmetic in which it is printed.
 template <class T>
-void add_states(const ode::hybrid_branch& branch, const std::vector<ode::number>& times, long digits, answer& result) {
+void add_states(const ode::hybrid_system& system, const ode::hybrid_branch& branch,
+                const std::vector<ode::number>& times, long digits, answer& result) {
     std::vector<ode::number> on_branch;
     for (const std::size_t index : branch.times) {
         on_branch.push_back(times[index]);
     }
     const auto part = ode::part_of_march<T>(branch.system, on_branch);
     for (std::size_t i = 0; i < branch.times.size(); ++i) {
+        std::vector<T> values;
         for (const auto& of_unknown : part.states[i]) {
-            for (const T& value : of_unknown) {
-                result.rows[branch.times[i]].push_back({to_decimal(widen(value), digits), ""});
-            }
+            values.insert(values.end(), of_unknown.begin(), of_unknown.end());
+        }
+        if (!values.empty()) {
+            ode::append_shown(values, system, branch.system, branch.steps, T(ode::constant_value<T>::of(on_branch[i])));
+        }
+        for (const T& value : values) {
+            result.rows[branch.times[i]].push_back({to_decimal(widen(value), digits), ""});
         }
     }
     if (part.missing && !result.missing) {
@@ -40,13 +47,24 @@ void add_states(const ode::hybrid_branch& branch, const std::vector<ode::number>
     }
 }
 
+// Of the first branch, in which the expressions to show are unknowns.
+ode::equation_system equations_with_shown(const ode::hybrid_system& system) {
+    const auto steps = ode::values_at_start(system);
+    auto first = system.first_equations(steps);
+    first.shown.clear();
+    for (const ode::definition& each : system.shown()) {
+        first.add(ode::unknown(each.name), system.on_branch(each.value, steps));
+    }
+    return first;
+}
+
 }  // namespace
 
 hybrid_solution::hybrid_solution(ode::equation_system equations)
-    : solution(ode::names_of_state(ode::hybrid_system(equations))),
+    : solution(ode::names_with_shown(ode::hybrid_system(equations))),
       equations_(std::move(equations)),
       system_(equations_),
-      first_(system_.first_equations(ode::values_at_start(system_))) {}
+      first_(equations_with_shown(system_)) {}
 
 answer hybrid_solution::states(const std::vector<exact>& times, const request& how) const {
     require_plain_states(how, unsupported);
@@ -76,6 +94,12 @@ answer hybrid_solution::proved_states(const std::vector<ode::number>& times, con
 ode::partial_trajectory hybrid_solution::proved_part(const std::vector<ode::number>& times, const request& how,
                                                      long digits, const ode::march_watch& watch,
                                                      const ode::proof_route& route) const {
+    if (!how.derivatives.empty() && !system_.shown().empty()) {
+        throw error(
+            error_kind::argument, "columns", system_.shown().front().name,
+            "of expressions have no derivatives for a problem with events or a piecewise right-hand side: leave "
+            "out one of both");
+    }
     if (how.derivatives.empty()) {
         return ode::proved_part_of_hybrid(system_, times, digits, watch, route);
     }
@@ -90,7 +114,8 @@ answer hybrid_solution::rounded_states(const std::vector<ode::number>& times, co
     result.missing = std::move(found.missing);
     const precision_scope wide(how.scalar.digits + digits_beyond_result);
     for (const ode::hybrid_branch& each : found.branches) {
-        with_scalar(how.scalar, 0, [&]<class T>() { add_states<T>(each, times, how.printed_digits(), result); });
+        with_scalar(how.scalar, 0,
+                    [&]<class T>() { add_states<T>(system_, each, times, how.printed_digits(), result); });
     }
     return result;
 }

@@ -18,7 +18,7 @@ std::vector<std::size_t> order_of(const delay_system& system, const std::vector<
 
 std::string text_of_end(const ball& reached, const std::string& how) {
     return "is not reached: the solution " + how + " up to " + proved_reach_text(reached, true) +
-           ", where the steps become too small, as they do near a singularity";
+           ", where the step size falls below its minimum (probably a singularity)";
 }
 
 }  // namespace

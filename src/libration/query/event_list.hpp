@@ -97,7 +97,7 @@ public:
                 break;
             case search_end::steps:
                 end("is not reached: the solution is proved to exist up to " + reached +
-                    ", where the steps become too small, as they do near a singularity");
+                    ", where the step size falls below its minimum (probably a singularity)");
                 break;
             case search_end::undecided:
                 search.undecided().too_many_pieces ? end(text_of(search.undecided()))

@@ -5,6 +5,7 @@
 #include "../hybrid/path_limits.hpp"
 #include "event_list.hpp"
 #include "libration/query/hybrid_trajectory.hpp"
+#include "shown_values.hpp"
 
 namespace libration::ode {
 
@@ -40,7 +41,7 @@ event_report searched_hybrid_events(const hybrid_system& system, const event_req
     }
     const long horizon = request.horizon.value_or(zero_search::usual_horizon);
     std::vector<std::string> by_relation;
-    event_list list(names_of_state(system), request.count, digits, most_bits_of_path(digits), watch);
+    event_list list(names_with_shown(system), request.count, digits, most_bits_of_path(digits), watch);
     event_report report = list.of_runs([&](long bits, run_demand& demand) {
         const auto watch_steps = [&](const ball& reached, long now) { list.tell(reached, now); };
         hybrid_path path(system, bits, route, watch_steps, &request.g, request.way);
@@ -58,7 +59,9 @@ event_report searched_hybrid_events(const hybrid_system& system, const event_req
             if (!is_before) {
                 break;
             }
-            list.add(event->time, event->state);
+            auto values = event->state;
+            append_shown(values, system, path.piece().system, path.piece().steps, event->time);
+            list.add(event->time, values);
             list.tell(event->time, bits);
         }
         demand.cost(path.steps());

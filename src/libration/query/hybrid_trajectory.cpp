@@ -5,6 +5,7 @@
 
 #include "../hybrid/path_limits.hpp"
 #include "libration/hybrid/hybrid_path.hpp"
+#include "shown_values.hpp"
 #include "time_order.hpp"
 
 namespace libration::ode {
@@ -14,6 +15,19 @@ namespace {
 std::vector<std::size_t> order_of(const hybrid_system& system, const std::vector<number>& times) {
     return ascending(times, system.point(),
                      "from which events and piecewise right-hand sides are followed forwards only");
+}
+
+// At the time of an event that is not distinguished from this one, step functions have values on both sides.
+void append_shown_at(std::vector<ball>& state, const hybrid_path& path, const hybrid_system& system,
+                     const number& time) {
+    append_shown(state, system, path.piece().system, path.piece().steps, ball(constant_value<ball>::of(time)),
+                 [&](expression_values<ball>& values, const expression& on_branch) {
+                     ball value = values.of(on_branch);
+                     if (path.at_event()) {
+                         arb_zero_pm_inf(value.handle());
+                     }
+                     return value;
+                 });
 }
 
 // The values at the time of an event, which are on both sides of it. False if this time is left open: a value that does
@@ -40,7 +54,7 @@ bool improve_at_event(run_demand& demand, std::vector<known_value>& kept, const 
 partial_trajectory proved_part_of_hybrid(const hybrid_system& system, const std::vector<number>& times, long digits,
                                          const march_watch& watch, const proof_route& route) {
     const auto order = order_of(system, times);
-    const auto names = names_of_state(system);
+    const auto names = names_with_shown(system);
     std::vector<bool> left_open(times.size());
     partial_trajectory part;
     part.states.resize(times.size());
@@ -49,7 +63,7 @@ partial_trajectory proved_part_of_hybrid(const hybrid_system& system, const std:
         const precision_scope scope(decimal_digits(run.bits) + 10);
         for (std::size_t i = 0; i < order.size() && !demand.repeats(); ++i) {
             const std::size_t index = order[i];
-            const auto state = path.at(times[index], times[order.back()]);
+            auto state = path.at(times[index], times[order.back()]);
             part.by_relation = path.by_relation();
             if (!state) {
                 demand_of_path(demand, path, digits, text_of_time(times[index]));
@@ -58,6 +72,7 @@ partial_trajectory proved_part_of_hybrid(const hybrid_system& system, const std:
             if (left_open[index]) {
                 continue;
             }
+            append_shown_at(*state, path, system, times[index]);
             if (path.at_event()) {
                 left_open[index] =
                     !improve_at_event(demand, part.states[index], *state, digits, text_of_time(times[index]));
@@ -83,7 +98,7 @@ hybrid_branches branches_at_times(const hybrid_system& system, const std::vector
             }
             if (path.events() != events) {
                 events = path.events();
-                found.branches.push_back({path.piece().system, {}});
+                found.branches.push_back({path.piece().system, path.piece().steps, {}});
             }
             found.branches.back().times.push_back(index);
         }

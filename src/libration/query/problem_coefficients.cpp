@@ -119,7 +119,7 @@ std::vector<wide_t<ball>> proved_about_time(const coefficient_request& request, 
     }
     if (!values) {
         throw error(error_kind::undecided, error_subject::point, "",
-                    "is not reached: the steps become too small before it, as they do near a singularity");
+                    "is not reached: the step size falls below its minimum before it (probably a singularity)");
     }
     solution_state<ball> state;
     auto next = values->begin();

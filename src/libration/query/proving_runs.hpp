@@ -68,7 +68,7 @@ inline std::optional<std::string> reason_of_end(const proved_march& march, bool 
         return std::nullopt;
     }
     return "is not reached: the solution is proved to exist up to " + proved_reach_text(march.reached(), forward) +
-           ", where the steps become too small, as they do near a singularity";
+           ", where the step size falls below its minimum (probably a singularity)";
 }
 
 /// An additional request to a run besides the values.

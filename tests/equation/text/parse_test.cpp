@@ -1,5 +1,6 @@
 // Problems as text: the same objects as constructed by operators, and the messages for invalid ones.
 #include "libration/equation/text/parse.hpp"
+#include "libration/equation/renamed_unknowns.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>
@@ -212,7 +213,6 @@ TEST_CASE("wrong texts are told the place and the remedy", "[ode][parse]") {
         {"pi = 3; y' = y", "problem 'pi' at line 1, column 1 is a reserved name: choose another"},
         {"t = 3; y' = y",
          "problem 't' at line 1, column 1 is the independent variable: choose another name, or `variable x`"},
-        {"n' = 1; n(0) = 0", "problem 'n' at line 1, column 1 is the name of a column of tables: choose another"},
         {"sin' = 1",
          "problem 'sin'' at line 1, column 1 is the derivative of a function: write primes only after unknowns"},
         {"y' = sin y; y(0) = 0",
@@ -237,14 +237,15 @@ TEST_CASE("wrong texts are told the place and the remedy", "[ode][parse]") {
         {"y' = k; y(0) = 0",
          "problem 'k' at line 1, column 6 has no value: write k = number for a parameter, k' = ... for an unknown"},
         {"variable x; y' = t; y(0) = 0", "problem 't' at line 1, column 18 has no value: use the variable, x"},
-        {"y' = y^t; y(0) = 1",
-         "problem 'y' = y^t' at line 1, column 6 has an exponent that is not constant: write exp(y*log(x)) for x^y"},
+        {"y' = (-2)^t; y(0) = 1",
+         "problem 'y' = (-2)^t' at line 1, column 6 has an exponent that is not constant over a base that is not "
+         "positive: x^y is exp(y*log(x)), for x > 0"},
         {"y' = (y + 1; y(0) = 1", "problem '(' at line 1, column 6 is not closed: add a )"},
         {"y' = y + 1); y(0) = 1", "problem ')' at line 1, column 11 closes nothing: add a ("},
         {"y' = y +; y(0) = 1",
          "problem 'y' = y +' at line 1, column 8 ends where a number or a name is missing: write one"},
         {"y' = y*/2; y(0) = 1", "problem '/' at line 1, column 8 is not a number or a name: write one"},
-        {"y' == y; y(0) = 1", "problem 'y' == y' at line 1, column 1 has more than one =: write separate statements"},
+        {"y' == y; y(0) = 1", "problem '==' at line 1, column 4 is not an equation: write ="},
         {"y' - y; y(0) = 1", "problem 'y' - y' at line 1, column 1 is not an equation: write one with ="},
         {"y' = ; y(0) = 1", "problem 'y' =' at line 1, column 4 has nothing on one side of =: write both sides"},
         {"y' = y/0; y(0) = 1", "problem 'y' = y/0' at line 1, column 7 divides by zero: choose another number"},
@@ -257,7 +258,12 @@ TEST_CASE("wrong texts are told the place and the remedy", "[ode][parse]") {
          "problem 'b' at line 1, column 18 needs itself: b -> a -> b: give one of them a number"},
         {"y' = a*y; a = 2*y; y(0) = a", "problem 'a' depends on the solution or on time here: give a number"},
         {"y' = y; k = 1; k = 2; y(0) = 1",
-         "problem 'k = 2' at line 1, column 16 gives k a second value: give it only one"},
+         "problem 'k = 2' at line 1, column 16 gives k a second value, after `k = 1` at line 1: give it only one"},
+        {"x' = y; y' = -x\nx = max(0, x); x(0) = 1; y(0) = 0",
+         "problem 'x = max(0, x)' at line 2, column 1 is a second equation for x, in addition to `x' = y` at line 1: "
+         "give it "
+         "only "
+         "one"},
         {"y' = $; y(0) = 1",
          "problem '$' at line 1, column 6 is not allowed in a problem: write names, numbers, + - * / ^ ( ) = and ;"},
         {"y' = y; y(0) = 1 '",
@@ -306,6 +312,22 @@ TEST_CASE("deep and long texts are refused before they cost anything", "[ode][pa
           "problem '" + std::string(60, 'a') +
               "...' at line 1, column 1 has more than 200 characters, including primes: choose another");
     CHECK(refusal_of("y" + std::string(200, '\'') + " = 1").find("has more than 200 characters") != std::string::npos);
+}
+
+// The solutions are e^-t, and cos and sin with the name of a column.
+TEST_CASE("an unknown with the name of a column of tables has another column", "[ode][parse]") {
+    const auto decay = parse("n' = -n; n(0) = 1");
+    CHECK(decay.unknowns() == std::vector<std::string>{"n_"});
+    CHECK(renamed_unknowns("n' = -n; n(0) = 1") == std::map<std::string, std::string>{{"n", "n_"}});
+    CHECK(renamed_unknowns("N' = -N*n; N(0) = 1; n = 2").empty());
+    CHECK(same_form(parse_condition(decay, "n = 1/2"), unknown("n_") - rational(1, 2)));
+    CHECK(changed(decay, "n(0) = 3").starts.front().value.fraction() == rational(3));
+    CHECK(same_form(parse_value_at_time(decay, "n(0)").of, unknown("n_")));
+    const auto both = parse("time' = n_; n' = -time; n_ = 2; time(0) = 0; n(0) = 1");
+    CHECK(both.unknowns() == std::vector<std::string>{"time_", "n__"});
+    CHECK(parse("step' = -lambda*step; lambda = 2; step(0) = 1; when step = 1/2: step = 1").unknowns() ==
+          std::vector<std::string>{"step"});
+    CHECK(canonical_text("n' = -n; n(0) = 1") == "n' = -n\nn(0) = 1\n");
 }
 
 }  // namespace equation_text_parse_test

@@ -27,12 +27,18 @@ inline constexpr std::size_t longest_name = 200;
 ///     exact f = tan(t)                       a closed form
 ///     # a comment
 /// Statements end with ; or the end of the line, or a comma outside parentheses. Names: a letter, then letters, digits,
-/// _; case-sensitive. Reserved are pi, inf, the variable and the names of functions; for unknowns also n, time, digits,
-/// rigour, other columns of tables. e is Euler's number unless it is an unknown, a parameter or the variable. Numbers
-/// are exact: 2E-3 is 0.002. Operators + - * / ^ (also **): * and / are left-associative; ^ binds tighter than a sign,
-/// is right-associative, and its exponent is constant, except that of e; primes bind to their name. Functions exp log
-/// sqrt sin cos tan asin acos atan sinh cosh tanh and the others of function/list.hpp. At most longest_problem
-/// characters; parentheses, signs and exponents nest at most 100 deep.
+/// _; case-sensitive. Reserved are pi, inf, the variable and the names of functions in function/list.hpp. An unknown with
+/// the name of another column of tables, n, time, digits, rigour, time_typed or count, is n_ in the system and in its
+/// columns (renamed_unknowns.hpp). e is Euler's number unless it is an unknown, a parameter or the variable. Numbers are
+/// exact: 2E-3 is 0.002. Operators + - * / ^ (also **): * and / are left-associative; ^ binds tighter than a sign and is
+/// right-associative; x^y with an exponent that is not constant is exp(y*log(x)), for x > 0; primes bind to their name.
+/// Functions exp log sqrt sin cos tan asin acos atan sinh cosh tanh and the others of function/list.hpp, and those that
+/// are read as formulas of these: cot, atan2, mod, max, .. (docs/equations.md). At most longest_problem characters;
+/// parentheses, signs and exponents nest at most 100 deep.
+///
+/// Conditions, in if(x > 0, a, b), piecewise(a, x > 0, b) and `when`: comparisons < <= > >= == != and chains of them,
+/// 0 <= x < 1, combined by `not` or !, `and` or &&, `or` or ||, in descending order of precedence. An equality at single
+/// moments does not count.
 ///
 /// Derivatives: x', x'(t), dx/dt for the first, x'', x''(t), d2x/dt2, d^2x/dt^2 for the second; x(t) is x. The
 /// independent variable is that of `variable`; else t of dx/dt; else x of y'(x) or y(x); else x, if no unknown is
@@ -59,8 +65,8 @@ std::string canonical_text(std::string_view text);
 /// k = 2`. Throws error like parse(), and for a name that does not occur in the system.
 equation_system changed(equation_system system, std::string_view text);
 
-/// The system with a name for an expression in unknowns or time, as r of r = k*x*y, as one more unknown. Throws error for
-/// any other name.
+/// The system with a name for an expression in unknowns or time, as r of r = k*x*y, as one more unknown, or in `shown` if
+/// the system has events or step functions. Throws error for any other name.
 equation_system with_column(equation_system system, const std::string& name);
 
 /// left - right of a condition such as x' = 1/2 on the unknowns of a system, their lower derivatives and the variable,

@@ -1,7 +1,9 @@
 // Problems in standard notation.
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -16,15 +18,26 @@ namespace {
 
 bool is_operand(const token& word) { return word.kind != token_kind::symbol || word.symbol == '('; }
 
+std::string text_of_symbol(const token& word) {
+    constexpr std::array<std::pair<char, std::string_view>, 6> spaced{{{interval_sign, " +- "},
+                                                                       {equal_sign, " == "},
+                                                                       {unequal_sign, " != "},
+                                                                       {and_sign, " and "},
+                                                                       {or_sign, " or "},
+                                                                       {not_sign, "not "}}};
+    const auto* const found = std::ranges::find(spaced, word.symbol, &std::pair<char, std::string_view>::first);
+    if (found != spaced.end()) {
+        return std::string(found->second);
+    }
+    const std::string symbol(1, word.symbol);
+    return word.or_equal ? symbol + "=" : word.symbol == ',' || word.symbol == ':' ? symbol + " " : symbol;
+}
+
 std::string text_of_token(const token& word) {
     switch (word.kind) {
         case token_kind::numeral: return word.raised ? word.value.str() : word.text;
         case token_kind::name: return primed(word.text, word.primes);
-        case token_kind::symbol:
-            return word.or_equal                              ? std::string(1, word.symbol) + "="
-                   : word.symbol == ',' || word.symbol == ':' ? std::string(1, word.symbol) + " "
-                   : word.symbol == interval_sign             ? " +- "
-                                                              : std::string(1, word.symbol);
+        case token_kind::symbol: return text_of_symbol(word);
     }
     return {};
 }

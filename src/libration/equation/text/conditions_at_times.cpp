@@ -21,6 +21,10 @@ namespace {
 }
 
 std::size_t equals_in(const statement& words) {
+    const auto comparison = std::ranges::find_if(words, is_comparison);
+    if (comparison != words.end()) {
+        refuse(whole(words), comparison->at, "is not an equation: write =, as in y(1) = 0");
+    }
     if (std::ranges::none_of(words, [](const token& word) { return is_symbol(word, '='); })) {
         refuse(whole(words), words.front().at, "is not an equation: write " + whole(words) + " = 0");
     }
@@ -52,6 +56,7 @@ void add_condition(conditions_at_times& to, const equation_system& of, std::stri
     }
     const known_names names = names_of(of);
     with_primes(all, of.variable, names);
+    rename(all.front(), renamed_columns(names));
     const statement& words = all.front();
     const std::size_t equals = equals_in(words);
     const auto side = [&](std::size_t first, std::size_t last) {

@@ -4,16 +4,15 @@
 #include <optional>
 #include <utility>
 
+#include "called_function.hpp"
+#include "formula_cursor.hpp"
 #include "formula_refusals.hpp"
 #include "libration/equation/defined_zero.hpp"
 #include "libration/scalar/error.hpp"
-#include "piecewise.hpp"
 
 namespace libration::ode {
 
 namespace {
-
-constexpr int deepest_formula = 100;
 
 // By recursive descent, of bounded depth: sum, product, signed factor, power, primary.
 class formula_parser {
@@ -25,9 +24,18 @@ public:
     expression read() {
         expression value = sum();
         if (next_ < last_) {
-            refuse_next();
+            refuse_token(words_, next_, last_);
         }
         return value;
+    }
+
+    // A sum and the index of the token behind it.
+    std::pair<expression, std::size_t> read_part() {
+        if (next_ >= last_) {
+            refuse_end(words_, last_);
+        }
+        expression value = sum();
+        return {std::move(value), next_};
     }
 
 private:
@@ -43,54 +51,14 @@ private:
         return next_ < last_ && (words_[next_].kind != token_kind::symbol || words_[next_].symbol == '(');
     }
 
-    [[noreturn]] void refuse_end() const {
-        const token& end = words_[std::min(last_, words_.size()) - 1];
-        refuse(whole(words_), end.at, "ends where a number or a name is missing: write one");
-    }
-
-    // Reports a token that cannot follow an operand.
-    [[noreturn]] void refuse_next() const {
-        const token& word = words_[next_];
-        if (at_operand() && next_ > 0) {
-            refuse_product(words_, next_);
-        }
-        if (word.symbol == ')') {
-            refuse(")", word.at, "closes nothing: add a (");
-        }
-        if (word.symbol == ',') {
-            refuse(",", word.at, "is not expected in parentheses: write a decimal point");
-        }
-        refuse_interval(word);
-        refuse(word.text, word.at, "is not expected here: write + - * / or ^ between numbers and names");
-    }
-
     // What is in a parenthesis, behind a sign or in an exponent, of which each is one level.
     expression deeper(expression (formula_parser::*part)()) {
         if (++depth_ > deepest_formula) {
-            refuse(whole(words_), words_[std::min(next_, last_ - 1)].at,
-                   "is nested more than " + std::to_string(deepest_formula) + " deep: use fewer parentheses");
+            refuse_depth(words_, std::min(next_, last_ - 1));
         }
         expression value = (this->*part)();
         --depth_;
         return value;
-    }
-
-    // Operations on constants may have no value.
-    template <class Operation>
-    expression folded(const place& at, const Operation& operation) const {
-        try {
-            return operation();
-        } catch (const error& problem) {
-            if (problem.is_about(error_subject::problem)) {
-                throw;
-            }
-            const bool of_number = problem.is_about(error_subject::number);
-            const std::string subject = of_number ? "" : problem.subject() + " ";
-            throw error(problem.kind(), error_subject::problem, beginning_of(whole(words_)),
-                        "at line " + std::to_string(at.line) + ", column " + std::to_string(at.column) + " " +
-                            (subject.empty() ? "" : "has an " + subject + "that ") + problem.reason() +
-                            (of_number ? ": choose another number" : ""));
-        }
     }
 
     expression sum() {
@@ -98,7 +66,7 @@ private:
         while (at_symbol('+') || at_symbol('-')) {
             const token& sign = words_[next_++];
             const expression more = product();
-            total = folded(sign.at, [&] { return written_sum(total, sign.symbol == '+' ? more : -more); });
+            total = folded(words_, sign.at, [&] { return written_sum(total, sign.symbol == '+' ? more : -more); });
         }
         return total;
     }
@@ -113,7 +81,7 @@ private:
             if (sign.symbol == '/' && joined_at_) {
                 refuse_denominator(words_, begin, at, *joined_at_, next_);
             }
-            value = folded(sign.at, [&] {
+            value = folded(words_, sign.at, [&] {
                 return sign.symbol == '*' ? written_product(value, next) : written_quotient(value, next);
             });
         }
@@ -134,7 +102,7 @@ private:
     expression power() {
         joined_at_.reset();
         if (next_ >= last_) {
-            refuse_end();
+            refuse_end(words_, last_);
         }
         const std::size_t at = next_;
         const token& first = words_[at];
@@ -147,7 +115,7 @@ private:
             const auto behind = unit_behind();
             const expression right = behind ? raised_by_exponent(*behind, first.at) : named_power();
             joined_at_ = at;
-            return folded(first.at, [&] { return written_product(value, right); });
+            return folded(words_, first.at, [&] { return written_product(value, right); });
         }
         expression raised = named_power();
         joined_at_.reset();
@@ -193,7 +161,7 @@ private:
     // e^x.
     expression exponential(const place& at) {
         const expression exponent = exponent_behind();
-        return folded(at, [&] { return apply(function_kind::exp, exponent); });
+        return folded(words_, at, [&] { return apply(function_kind::exp, exponent); });
     }
 
     expression raised_by_exponent(const expression& base, const place& at) {
@@ -201,7 +169,7 @@ private:
             return base;
         }
         const expression exponent = exponent_behind();
-        return folded(at, [&] { return written_power(base, exponent); });
+        return folded(words_, at, [&] { return written_power(base, exponent); });
     }
 
     // Of x^2y it is not known where the exponent ends; of x²y it is.
@@ -213,8 +181,7 @@ private:
         const bool number = at < last_ && words_[at].kind == token_kind::numeral && at + 1 < last_;
         const bool joined = number && (words_[at + 1].kind == token_kind::name || is_symbol(words_[at + 1], '('));
         if (joined && words_[at].raised) {
-            next_ = at + 1;
-            refuse_next();
+            refuse_token(words_, at + 1, last_);
         }
         if (joined) {
             const std::size_t begin = next_;
@@ -232,14 +199,19 @@ private:
         }
         if (word.kind != token_kind::name) {
             refuse_interval(word);
-            refuse(std::string(1, word.symbol), word.at, "is not a number or a name: write one");
+            if (is_symbol(word, or_sign)) {
+                refuse(word.text, word.at, "is not a number or a name: write abs(x) for |x|");
+            }
+            refuse(word.text, word.at, "is not a number or a name: write one");
         }
         ++next_;
         if (is_function_name(word.text)) {
-            return function(word);
+            return read_function(cursor(), next_ - 1, *function_named(word.text));
         }
-        if (const auto kind = piecewise_named(word.text); kind && word.primes == 0 && at_symbol('(')) {
-            return piecewise(*kind, next_ - 1);
+        if (word.primes == 0 && at_symbol('(') && !is_known(word.text)) {
+            if (auto value = read_call(cursor(), next_ - 1, into_)) {
+                return *std::move(value);
+            }
         }
         if (values_ != nullptr && (names_.unknowns.contains(word.text) || word.text == names_.variable)) {
             return value_at_time(next_ - 1);
@@ -279,80 +251,14 @@ private:
         return values_->at(unknown(words_[name].text, words_[name].primes), time);
     }
 
-    expression function(const token& word) {
-        if (word.primes > 0) {
-            refuse(text_of(words_, next_ - 1, next_), word.at,
-                   "is the derivative of a function: write primes only after unknowns");
-        }
-        if (!take('(')) {
-            refuse_without_argument(words_, next_ - 1);
-        }
-        const function_kind f = *function_named(word.text);
-        const place opened = words_[next_ - 1].at;
-        const expression first = before_end(opened);
-        if (!has_order(f)) {
-            refuse_comma(word, " has one argument: write " + word.text + "(x)");
-            close(opened);
-            return folded(word.at, [&] { return apply(f, first); });
-        }
-        const std::string call = word.text + "(0, x)";
-        if (!take(',')) {
-            refuse(word.text, word.at, "has two arguments, its order and its argument: write " + call);
-        }
-        const expression x = before_end(opened);
-        refuse_comma(word, " has two arguments: write " + call);
-        close(opened);
-        return folded(word.at, [&] { return apply(f, first, x); });
+    formula_cursor cursor() {
+        return {.words = words_, .next = next_, .last = last_, .depth = depth_, .sum = [this] {
+                    return deeper(&formula_parser::sum);
+                }};
     }
 
-    // if(x > 0, a, b), abs(x), ..., the name at this index.
-    expression piecewise(piecewise_kind kind, std::size_t name) {
-        const token& word = words_[name];
-        if (into_ == nullptr) {
-            refuse(word.text, word.at, "is piecewise, which is supported only in equations: write one of its branches");
-        }
-        take('(');
-        const place opened = words_[next_ - 1].at;
-        std::optional<comparison> condition;
-        std::vector<expression> arguments;
-        if (kind == piecewise_kind::conditional) {
-            condition = comparison_in(opened);
-            arguments.push_back(condition->difference);
-        } else {
-            arguments.push_back(before_end(opened));
-        }
-        while (take(',')) {
-            arguments.push_back(before_end(opened));
-        }
-        close(opened);
-        if (arguments.size() != arguments_of(kind)) {
-            refuse(text_of(words_, name, next_), word.at,
-                   "has another number of arguments than " + std::to_string(arguments_of(kind)) + ": write " +
-                       form_of(kind));
-        }
-        const std::string text = text_of(words_, name, next_);
-        return folded(word.at, [&] {
-            step_collector steps(into_->steps);
-            return condition ? steps.chosen(*condition, arguments[1], arguments[2], text, word.at)
-                             : steps.value_of(kind, arguments, text, word.at);
-        });
-    }
-
-    // a > b and a >= b by a - b, a < b and a <= b by b - a.
-    comparison comparison_in(const place& opened) {
-        const expression left = before_end(opened);
-        const token& sign = words_[next_];
-        if (!take('<') && !take('>')) {
-            refuse(sign.text, sign.at, "is not a comparison: write " + form_of(piecewise_kind::conditional));
-        }
-        const expression right = before_end(opened);
-        return {sign.symbol == '>' ? written_sum(left, -right) : written_sum(right, -left), sign.or_equal};
-    }
-
-    void refuse_comma(const token& word, const std::string& reason) const {
-        if (at_symbol(',')) {
-            refuse(word.text, word.at, reason.substr(1));
-        }
+    bool is_known(const std::string& name) const {
+        return names_.unknowns.contains(name) || names_.parameters.contains(name) || name == names_.variable;
     }
 
     expression named(const token& word) const {
@@ -379,31 +285,11 @@ private:
     }
 
     expression in_parentheses(const place& opened) {
-        expression value = before_end(opened);
-        close(opened);
-        return value;
-    }
-
-    // Up to a ) or a comma.
-    expression before_end(const place& opened) {
-        if (next_ >= last_) {
-            refuse("(", opened, "is not closed: add a )");
-        }
-        expression value = deeper(&formula_parser::sum);
-        if (next_ >= last_) {
-            refuse("(", opened, "is not closed: add a )");
-        }
-        return value;
-    }
-
-    void close(const place& opened) {
-        if (!take(')')) {
-            if (next_ >= last_) {
-                refuse("(", opened, "is not closed: add a )");
-            }
-            refuse_next();
-        }
+        const formula_cursor at = cursor();
+        expression value = at.before_end(opened);
+        at.close(opened);
         joined_at_.reset();
+        return value;
     }
 
     const statement& words_;
@@ -421,6 +307,13 @@ private:
 expression read_formula(const statement& words, std::size_t first, std::size_t last, const known_names& names,
                         formula_role role, conditions_at_times* values, equation_system* into) {
     return formula_parser(words, first, last, names, role, values, into).read();
+}
+
+expression read_sum(const statement& words, std::size_t& next, std::size_t last, const known_names& names,
+                    equation_system* into) {
+    auto [value, behind] = formula_parser(words, next, last, names, formula_role::equation, nullptr, into).read_part();
+    next = behind;
+    return value;
 }
 
 }  // namespace libration::ode

@@ -9,6 +9,9 @@
 
 namespace libration::ode {
 
+/// The most parentheses, signs and exponents around a part of a formula.
+inline constexpr int deepest_formula = 100;
+
 /// Numbers before pi and deg are units in every role; points also allow 2i, where i is a parameter, and in values T is
 /// rejected as the period of a motion.
 enum class formula_role { equation, value, point };
@@ -18,5 +21,9 @@ enum class formula_role { equation, value, point };
 /// are supported, which are added to its step functions and delays. Throws error with the position and the remedy.
 expression read_formula(const statement& words, std::size_t first, std::size_t last, const known_names& names,
                         formula_role role, conditions_at_times* values = nullptr, equation_system* into = nullptr);
+
+/// The sum that begins with the token `next`, which then is the one behind it, in an equation.
+expression read_sum(const statement& words, std::size_t& next, std::size_t last, const known_names& names,
+                    equation_system* into);
 
 }  // namespace libration::ode

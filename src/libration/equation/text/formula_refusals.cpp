@@ -1,12 +1,13 @@
 #include "formula_refusals.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <utility>
 
+#include "formula_parser.hpp"
 #include "libration/number/exact_real.hpp"
 #include "libration/number/number_lexer.hpp"
+#include "written_function.hpp"
 
 namespace libration::ode {
 
@@ -15,24 +16,7 @@ namespace {
 // The function that another name denotes elsewhere; empty if it is not known.
 std::string function_meant_by(std::string name) {
     std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 12> others{{{"ln", "log"},
-                                                                                    {"tg", "tan"},
-                                                                                    {"sh", "sinh"},
-                                                                                    {"ch", "cosh"},
-                                                                                    {"th", "tanh"},
-                                                                                    {"arcsin", "asin"},
-                                                                                    {"arccos", "acos"},
-                                                                                    {"arctan", "atan"},
-                                                                                    {"arctg", "atan"},
-                                                                                    {"arcsinh", "asinh"},
-                                                                                    {"arccosh", "acosh"},
-                                                                                    {"arctanh", "atanh"}}};
-    const auto* const found =
-        std::ranges::find(others, std::string_view(name), &std::pair<std::string_view, std::string_view>::first);
-    if (found != others.end()) {
-        return std::string(found->second);
-    }
-    return is_function_name(name) ? name : "";
+    return is_called_function(name) ? std::string(name_without_synonym(name)) : "";
 }
 
 // The end of the argument at this index, y or (y + 1); the index itself for other tokens.
@@ -129,6 +113,35 @@ void refuse_argument(const statement& words, std::size_t name, const known_names
     refuse(written, word.at,
            "is not a function: write " + (meant.empty() ? product : corrected(words, name, name + 1, meant)) +
                ", or one of " + function_names());
+}
+
+void refuse_token(const statement& words, std::size_t at, std::size_t last) {
+    const token& word = words[at];
+    const bool operand = at < last && (word.kind != token_kind::symbol || word.symbol == '(');
+    if (operand && at > 0) {
+        refuse_product(words, at);
+    }
+    if (word.symbol == ')') {
+        refuse(")", word.at, "closes nothing: add a (");
+    }
+    if (word.symbol == ',') {
+        refuse(",", word.at, "is not expected in parentheses: write a decimal point");
+    }
+    refuse_interval(word);
+    if (is_comparison(word) || is_connective(word)) {
+        refuse(word.text, word.at, "is not expected here: write conditions in if(x > 1 and y < 2, a, b)");
+    }
+    refuse(word.text, word.at, "is not expected here: write + - * / or ^ between numbers and names");
+}
+
+void refuse_end(const statement& words, std::size_t last) {
+    const token& end = words[std::min(last, words.size()) - 1];
+    refuse(whole(words), end.at, "ends where a number or a name is missing: write one");
+}
+
+void refuse_depth(const statement& words, std::size_t at) {
+    refuse(whole(words), words[at].at,
+           "is nested more than " + std::to_string(deepest_formula) + " deep: use fewer parentheses");
 }
 
 void require_time(const statement& words, std::size_t name, const known_names& names) {

@@ -26,6 +26,15 @@ namespace libration::ode {
 /// a(t + 1), f(0), Sin(x): a name at this index that is not a function, before a parenthesis.
 [[noreturn]] void refuse_argument(const statement& words, std::size_t name, const known_names& names);
 
+/// The token of this index, which cannot follow an operand.
+[[noreturn]] void refuse_token(const statement& words, std::size_t at, std::size_t last);
+
+/// The end of a formula where an operand is missing.
+[[noreturn]] void refuse_end(const statement& words, std::size_t last);
+
+/// A formula nested more than deepest_formula deep, at the token of this index.
+[[noreturn]] void refuse_depth(const statement& words, std::size_t at);
+
 /// Throws error for y' and y'(t) in a condition, the name of this index, and for the variable.
 void require_time(const statement& words, std::size_t name, const known_names& names);
 

@@ -6,27 +6,17 @@
 #include <utility>
 
 #include "libration/number/exact_real.hpp"
-#include "piecewise.hpp"
+#include "written_function.hpp"
 
 namespace libration::ode {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> names_of_columns{"n", "time", "digits", "rigour"};
+constexpr std::array<std::string_view, 6> names_of_columns{"n", "time", "digits", "rigour", "time_typed", "count"};
 
 bool is_name(const token& word) { return word.kind == token_kind::name; }
 
-void require_no_column(const std::string& name, const place& at) {
-    if (std::ranges::find(names_of_columns, name) != names_of_columns.end()) {
-        refuse(name, at, "is the name of a column of tables: choose another");
-    }
-}
-
-// As an unknown, which is the name of a column of tables.
-void require_free_column(const token& name, const std::string& variable) {
-    require_free_name(name, variable);
-    require_no_column(name.text, name.at);
-}
+bool is_column(std::string_view name) { return std::ranges::find(names_of_columns, name) != names_of_columns.end(); }
 
 bool is_definition_of(const statement& words, const std::string& name) {
     return is_name(words[0]) && words[0].primes == 0 && words[0].text == name && symbol_at(words, 1, '=');
@@ -66,7 +56,8 @@ bool may_be_variable(const std::vector<statement>& all, const std::string& name)
 
 // Whether a name does not denote a parameter whose value is open.
 bool has_meaning(const std::string& name, const known_names& known) {
-    constexpr std::array<std::string_view, 6> reserved{"pi", "inf", "deg", "e", "i", "t"};
+    constexpr std::array<std::string_view, 10> reserved{"pi", "inf",  "deg",   "e",    "i",
+                                                        "t",  "true", "false", "True", "False"};
     return is_function_name(name) || name == known.variable || known.unknowns.contains(name) ||
            known.parameters.contains(name) || std::ranges::find(reserved, name) != reserved.end();
 }
@@ -157,7 +148,7 @@ known_names names_in(const std::vector<statement>& all, const std::string& varia
     for (const statement& words : all) {
         for (const token& word : words) {
             if (is_name(word) && word.primes > 0 && !is_function_name(word.text)) {
-                require_free_column(word, variable);
+                require_free_name(word, variable);
                 names.unknowns.insert(word.text);
             }
         }
@@ -179,8 +170,7 @@ std::vector<open_parameter> open_names(const std::vector<statement>& all, const 
         const bool value = is_definition(words, known) || is_start(words, known.variable);
         for (std::size_t i = keyword ? 1 : 0; i < words.size(); ++i) {
             const token& word = words[i];
-            const bool called =
-                symbol_at(words, i + 1, '(') && (words[i + 1].touches || piecewise_named(word.text).has_value());
+            const bool called = symbol_at(words, i + 1, '(') && (words[i + 1].touches || is_called_function(word.text));
             const bool period = value && word.text == "T" && i > 0 && words[i - 1].kind == token_kind::numeral;
             if (is_name(word) && word.primes == 0 && !called && !period && !has_meaning(word.text, known) &&
                 found.insert(word.text).second) {
@@ -210,13 +200,45 @@ void add_algebraic_unknowns(const std::vector<statement>& all, known_names& name
     std::vector<open_parameter> rest;
     for (const open_parameter& each : open) {
         if (every_one || has_start(each)) {
-            require_no_column(each.name, each.at);
             names.unknowns.insert(each.name);
         } else {
             rest.push_back(each);
         }
     }
     open = std::move(rest);
+}
+
+std::map<std::string, std::string> renamed_columns(const std::vector<statement>& all, const known_names& names) {
+    std::map<std::string, std::string> renamed;
+    for (const std::string& name : names.unknowns) {
+        if (is_column(name)) {
+            std::string free = name + "_";
+            while (occurs(all, free)) {
+                free += "_";
+            }
+            renamed.emplace(name, free);
+        }
+    }
+    return renamed;
+}
+
+void rename(statement& words, const std::map<std::string, std::string>& names) {
+    for (token& word : words) {
+        const auto found = is_name(word) ? names.find(word.text) : names.end();
+        word.text = found != names.end() ? found->second : word.text;
+    }
+}
+
+std::map<std::string, std::string> renamed_columns(const known_names& names) {
+    std::map<std::string, std::string> renamed;
+    for (const std::string_view column : names_of_columns) {
+        const std::string name(column);
+        if (!names.unknowns.contains(name) && !names.parameters.contains(name) && name != names.variable &&
+            names.unknowns.contains(name + "_")) {
+            renamed.emplace(name, name + "_");
+        }
+    }
+    return renamed;
 }
 
 bool is_definition(const statement& words, const known_names& names) {

@@ -1,6 +1,7 @@
 // The names of a problem: its independent variable, unknowns and parameters, found before formulas are read.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -51,6 +52,14 @@ std::vector<open_parameter> open_names(const std::vector<statement>& all, const 
 /// Where there are more equations than unknowns, moves unknowns without a derivative from the names that are open: all
 /// if these are as many as are missing, otherwise those with an initial value.
 void add_algebraic_unknowns(const std::vector<statement>& all, known_names& names, std::vector<open_parameter>& open);
+
+/// For each unknown that has the name of a column of tables (n, time, digits, rigour, time_typed, count) a name that the
+/// text does not use, with _ behind it, by which the system and its columns name it.
+std::map<std::string, std::string> renamed_columns(const std::vector<statement>& all, const known_names& names);
+/// The same for the names of a system, in texts that refer to it.
+std::map<std::string, std::string> renamed_columns(const known_names& names);
+/// Replaces names in the tokens; messages quote the text as it is typed.
+void rename(statement& words, const std::map<std::string, std::string>& names);
 
 /// k = ...: the definition of a parameter, which is a name without primes and not an unknown.
 bool is_definition(const statement& words, const known_names& names);

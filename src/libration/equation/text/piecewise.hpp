@@ -1,49 +1,35 @@
 // Piecewise functions in the text of a problem, as formulas of step functions.
 #pragma once
 
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "condition.hpp"
 #include "libration/equation/equation_system.hpp"
 
 namespace libration::ode {
 
-/// Those of forms in piecewise.cpp.
-enum class piecewise_kind { conditional, absolute, sign, maximum, minimum, heaviside, floor, square, sawtooth };
-
-/// The piecewise function of this name, for example "abs"; std::nullopt for other names.
-std::optional<piecewise_kind> piecewise_named(std::string_view name);
-/// abs(x) has one argument, max(a, b) two; the condition of if(x > 0, a, b) counts as one.
-std::size_t arguments_of(piecewise_kind kind);
-/// The form of a call, for messages: abs(x).
-std::string form_of(piecewise_kind kind);
-
-/// difference > 0, or difference >= 0.
-struct comparison {
-    expression difference;
-    bool or_equal = false;
-};
-
 /// Collects the step functions of the equations of a problem: s = sign(u) with sign(0) = 0, its indicators [u > 0] and
 /// [u >= 0], and n = floor(u), by which
 ///     if(u > 0, a, b) = [u > 0] a + (1 - [u > 0]) b, the same with >=,
-///     abs(u) = if(u > 0, u, -u), max(a, b) = if(a - b > 0, a, b), min(a, b) = if(a - b > 0, b, a),
-///     heaviside(u) = (1 + s)/2, so that heaviside(0) = 1/2,
-///     square(u) = 1 - 2 (floor(u/pi) - 2 floor(u/(2 pi))), sawtooth(u) = u/pi - 1 - 2 floor(u/(2 pi)).
-/// floor(u/d) with d = pi and 2 pi is a separate step function, so that its times are exact. With numbers for the
-/// step functions these formulas fold exactly to the branch that is chosen.
+///     if(u == 0, a, b) = if(u >= 0, if(u > 0, b, a), b),
+///     if(p and q, a, b) = if(p, if(q, a, b), b), if(p or q, a, b) = if(p, a, if(q, a, b)), if(not p, a, b) = if(p, b, a).
+/// With numbers for the step functions these formulas fold exactly to the branch that is chosen. Each comparison has
+/// a separate surface, whatever the others are.
 class step_collector {
 public:
-    explicit step_collector(std::vector<step_function>& steps) : steps_(steps) {}
+    /// The function of the text at this place, which messages name.
+    step_collector(std::vector<step_function>& steps, std::string text, const place& at)
+        : steps_(steps), text_(std::move(text)), at_(at) {}
 
-    /// if(condition, a, b).
-    expression chosen(const comparison& condition, const expression& a, const expression& b, const std::string& text,
-                      const place& at);
-    /// Another piecewise function.
-    expression value_of(piecewise_kind kind, const std::vector<expression>& arguments, const std::string& text,
-                        const place& at);
+    /// if(holds, a, b).
+    expression chosen(const condition& holds, const expression& a, const expression& b);
+    expression if_positive(const expression& u, const expression& a, const expression& b);
+    expression if_not_negative(const expression& u, const expression& a, const expression& b);
+    /// -1, 0 or 1.
+    expression sign(const expression& u);
+    /// floor(u/divisor) for a positive divisor. With pi and 2 pi its times are exact.
+    expression floor(const expression& u, const number& divisor = number(rational(1)));
 
 private:
     struct oriented_sign {
@@ -51,11 +37,12 @@ private:
         int orientation = 1;  // the sign is this times the one of the parameter
     };
 
-    oriented_sign sign(const expression& argument, const std::string& text, const place& at);
-    expression floor(const expression& argument, const number& divisor, const std::string& text, const place& at);
+    oriented_sign step_of(const expression& u);
     const std::string& added(step_function made);
 
     std::vector<step_function>& steps_;
+    std::string text_;
+    place at_;
 };
 
 }  // namespace libration::ode

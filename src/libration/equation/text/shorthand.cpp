@@ -85,6 +85,20 @@ void replace_shorthands(equation_system& in) {
     }
 }
 
+namespace {
+
+// Whether it depends on unknowns, the variable or a step function.
+bool is_expression(const expression& e, const equation_system& in) {
+    const auto steps = kept_steps(in.steps);
+    bool found = !e.is_constant();
+    each_leaf(e, [&](const expression& leaf) {
+        found = found || (leaf.kind() == node_kind::parameter && steps.contains(leaf.name()));
+    });
+    return found;
+}
+
+}  // namespace
+
 equation_system with_column(equation_system system, const std::string& name) {
     const std::string undashed = name.substr(0, name.find('\''));
     if (std::ranges::count(system.unknowns(), undashed) > 0) {
@@ -94,10 +108,14 @@ equation_system with_column(equation_system system, const std::string& name) {
                      : "is a derivative: name it in the problem, as v = " + name);
     }
     const auto found = std::ranges::find(system.parameters, name, &definition::name);
-    if (found == system.parameters.end() || found->value.is_constant()) {
+    if (found == system.parameters.end() || !is_expression(found->value, system)) {
         refuse(name, {},
                "is not a name for an expression in unknowns or time: define it in the problem, as " + name +
                    " = x^2 + y^2");
+    }
+    if (!system.is_smooth()) {
+        system.shown.push_back(*found);
+        return system;
     }
     const expression value = found->value;
     system.parameters.erase(found);

@@ -1,6 +1,7 @@
 #include "statement.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <utility>
 
@@ -24,6 +25,22 @@ bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0;
 bool goes_on_name(const character& c) {
     return begins_name(c) || c.kind == character_kind::subscript || c.source == "_" || is_digit(c.source.front());
 }
+
+// Longer ones first.
+constexpr std::array<std::pair<std::string_view, char>, 11> condition_signs{{{"==", equal_sign},
+                                                                             {"!=", unequal_sign},
+                                                                             {"≠", unequal_sign},
+                                                                             {"&&", and_sign},
+                                                                             {"||", or_sign},
+                                                                             {"&", and_sign},
+                                                                             {"|", or_sign},
+                                                                             {"!", not_sign},
+                                                                             {"∧", and_sign},
+                                                                             {"∨", or_sign},
+                                                                             {"¬", not_sign}}};
+
+constexpr std::array<std::pair<std::string_view, char>, 3> connectives{
+    {{"and", and_sign}, {"or", or_sign}, {"not", not_sign}}};
 
 // Reads the text from left to right.
 class reader {
@@ -225,6 +242,12 @@ private:
             made.or_equal = true;
             return 2;
         }
+        for (const auto& [written, symbol] : condition_signs) {
+            if (rest_.starts_with(written)) {
+                made.symbol = symbol;
+                return written.size();
+            }
+        }
         if (const std::size_t bytes = bytes_of_interval_sign(c)) {
             made.symbol = interval_sign;
             return bytes;
@@ -273,14 +296,23 @@ private:
     std::vector<statement> all_;
 };
 
-// The last characters of a text, with "..." for those before.
-std::string end_of(std::string_view text) {
-    constexpr std::size_t shown = 60;
-    std::string_view rest = text;
-    for (std::size_t left_out = std::max(characters_in(text), shown) - shown; left_out > 0; --left_out) {
-        rest.remove_prefix(first_character(rest).source.size());
+// Replaces the names `and`, `or` and `not` by their symbols, unless they are names of an unknown or a parameter.
+void read_connectives(std::vector<statement>& all) {
+    for (const auto& [name, symbol] : connectives) {
+        const auto is_name = [&](const token& word) { return word.kind == token_kind::name && word.text == name; };
+        const bool defined = std::ranges::any_of(all, [&](const statement& words) {
+            return is_name(words.front()) ||
+                   std::ranges::any_of(words, [&](const token& word) { return is_name(word) && word.primes > 0; });
+        });
+        for (statement& words : all) {
+            for (token& word : words) {
+                if (!defined && is_name(word)) {
+                    word.kind = token_kind::symbol;
+                    word.symbol = symbol;
+                }
+            }
+        }
     }
-    return (rest.size() < text.size() ? "..." : "") + std::string(rest);
 }
 
 }  // namespace
@@ -289,28 +321,20 @@ std::vector<statement> statements_of(std::string_view text) {
     if (text.size() > longest_problem) {
         refuse("", {}, "is longer than " + std::to_string(longest_problem) + " characters: write less");
     }
-    return reader(text).read();
-}
-
-std::string text_of(const statement& words, std::size_t first, std::size_t last) {
-    if (first >= last) {
-        return "";
-    }
-    const std::string_view from = words[first].source;
-    const std::string_view end = words[last - 1].source;
-    return {from.data(), end.data() + end.size()};
-}
-
-std::string whole(const statement& words) { return text_of(words, 0, words.size()); }
-
-std::string corrected(const statement& words, std::size_t first, std::size_t last, const std::string& by) {
-    const auto end_of_token = [&](std::size_t i) { return words[i].source.data() + words[i].source.size(); };
-    const char* const from = first < last ? words[first].source.data() : end_of_token(first - 1);
-    const char* const to = first < last ? end_of_token(last - 1) : words[first].source.data();
-    return end_of({words.front().source.data(), from}) + by + beginning_of({to, end_of_token(words.size() - 1)});
+    std::vector<statement> all = reader(text).read();
+    read_connectives(all);
+    return all;
 }
 
 bool is_symbol(const token& word, char c) { return word.kind == token_kind::symbol && word.symbol == c; }
+
+bool is_comparison(const token& word) {
+    return is_symbol(word, '<') || is_symbol(word, '>') || is_symbol(word, equal_sign) || is_symbol(word, unequal_sign);
+}
+
+bool is_connective(const token& word) {
+    return is_symbol(word, and_sign) || is_symbol(word, or_sign) || is_symbol(word, not_sign);
+}
 
 bool symbol_at(const statement& words, std::size_t index, char c) {
     return index < words.size() && is_symbol(words[index], c);
@@ -318,14 +342,20 @@ bool symbol_at(const statement& words, std::size_t index, char c) {
 
 std::size_t equals_of(const statement& words) {
     const auto is_equals = [](const token& word) { return is_symbol(word, '='); };
-    const auto comparison =
-        std::ranges::find_if(words, [](const token& word) { return is_symbol(word, '<') || is_symbol(word, '>'); });
+    const auto comparison = std::ranges::find_if(words, is_comparison);
     if (comparison != words.end() && std::ranges::none_of(words, is_equals)) {
         refuse(std::string(comparison->source), comparison->at, "is not an equation: write =");
     }
     const auto found = std::ranges::find_if(words, is_equals);
     if (found == words.end()) {
         refuse(whole(words), words.front().at, "is not an equation: write one with =");
+    }
+    int open = 0;
+    for (const token& word : words) {
+        open += change_of_depth(word);
+        if (open > 0 && is_equals(word)) {
+            refuse("=", word.at, "is not a comparison: write == in a condition");
+        }
     }
     if (std::ranges::count_if(words, is_equals) > 1) {
         refuse(whole(words), words.front().at, "has more than one =: write separate statements");

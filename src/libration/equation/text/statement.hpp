@@ -13,9 +13,16 @@ enum class token_kind { numeral, name, symbol };
 
 /// The symbol of +-, -+ and the single characters for them.
 inline constexpr char interval_sign = '~';
+/// The symbols of == and !=; of `and` and &&; of `or` and ||; of `not` and !.
+inline constexpr char equal_sign = '"';
+inline constexpr char unequal_sign = '?';
+inline constexpr char and_sign = '&';
+inline constexpr char or_sign = '|';
+inline constexpr char not_sign = '!';
 
-/// A token of the text: a number, a name with its primes, or a symbol ( ) [ ] + - * / ^ = < > :, interval_sign, and a
-/// comma in parentheses or brackets; <= and >= are < and >.
+/// A token of the text: a number, a name with its primes, or a symbol ( ) [ ] + - * / ^ = < > :, interval_sign, those of
+/// conditions, and a comma in parentheses or brackets; <= and >= are < and >. `and`, `or` and `not` are symbols unless
+/// the text uses these names with primes or at the beginning of a statement.
 struct token {
     token_kind kind = token_kind::symbol;
     std::string text;         ///< in ASCII, without primes
@@ -48,6 +55,10 @@ std::string corrected(const statement& words, std::size_t first, std::size_t las
 
 /// Whether the token is this symbol.
 bool is_symbol(const token& word, char c);
+/// Whether it compares two sides: < > <= >= == !=.
+bool is_comparison(const token& word);
+/// Whether it combines conditions: `and`, `or`, `not`.
+bool is_connective(const token& word);
 /// 1 for ( and [, -1 for ) and ], 0 for other tokens.
 inline int change_of_depth(const token& word) {
     const bool opens = is_symbol(word, '(') || is_symbol(word, '[');

@@ -107,7 +107,7 @@ std::string reason_of(const zero_search& search) {
     switch (search.end()) {
         case search_end::steps:
             return "is proved to exist up to " + reached +
-                   ", where the steps become too small, as they do near a singularity; no return to the section "
+                   ", where the step size falls below its minimum (probably a singularity); no return to the section "
                    "through its initial point was found before";
         case search_end::horizon:
             return "was not found to return to the section through its initial point within " +
