@@ -82,7 +82,7 @@ const column_list<verdict_row>& columns() {
     const auto known = [](const char* name) { return [name](const row& r) { return read_cell(r.known.at(name)); }; };
     static const column_list<row> all{
         {"list", "name in problems/series", known("name")},
-        {"quantity", "what the coefficients count", known("quantity")},
+        {"quantity", "the quantity that the list enumerates or expands", known("quantity")},
         {"order", "N, last power of the list", [](const row& r) { return cell(r.found.pattern.order); }},
         {"radius", "by the verdict",
          [](const row& r) { return r.radius() && *r.radius() == 0 ? cell(0) : number_cell(r.shown.radius); }},

@@ -1,6 +1,6 @@
 // Families with logarithms upon a power: (1 - x/x0)^nu log(1 - x/x0)^k and what is built of them. The local exponent of
 // their coefficients approaches nu as slowly as 1/log n. `logarithmic_families` are calibrated on, the others are held
-// out: they judge what was calibrated.
+// out: they test the calibration.
 #pragma once
 
 #include <utility>

@@ -54,7 +54,7 @@ inline drawn_series logarithm_and_opposite_power(dice& d, int n) {
     return opposite_points(logarithm_at(x0, n) + d.weight() * power_at(mpfr(-x0), other, n), x0, {mpfr(0), other});
 }
 
-/// nu + something of comparable strength that is no whole number.
+/// nu + something of comparable strength that is not an integer.
 inline mpfr comparable(dice& d, const mpfr& nu) { return nu + d.thousandths(-500, 1000) + mpfr(1) / 7919; }
 
 inline drawn_series close_sum(dice& d, int n) {

@@ -76,7 +76,7 @@ inline drawn_series nested_roots(dice& d, int n) {
     }
 }
 
-inline drawn_series hypergeometric(dice& d, int n) {  // 2F1(a, b; c; x/x0), c - a - b no whole number
+inline drawn_series hypergeometric(dice& d, int n) {  // 2F1(a, b; c; x/x0), c - a - b not an integer
     const mpfr x0 = d.place();
     const mpfr a = d.thousandths(101, 1901);
     const mpfr b = d.thousandths(103, 1903);

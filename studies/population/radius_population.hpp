@@ -34,7 +34,7 @@ public:
     T one_of(const std::vector<T>& of) {
         return of[static_cast<std::size_t>(below(static_cast<int>(of.size())))];
     }
-    /// An exponent that is no whole number of 0 or more: a simple fraction, or anything between -2.9 and 2.9.
+    /// An exponent that is not an integer of 0 or more: a simple fraction, or anything between -2.9 and 2.9.
     mpfr exponent() {
         const auto simple = one_of<rational>({{-5, 2}, {-3, 2}, {-1, 2}, {-1, 3}, {1, 3}, {1, 2}, {2, 3}, {3, 2}, {0}});
         if (simple != 0) {

@@ -1,4 +1,4 @@
-// A list of coefficients as the verdict takes it, and the sizes of its coefficients.
+// A list of coefficients as input of a verdict, and the sizes of its coefficients.
 #pragma once
 
 #include <cstddef>

@@ -28,7 +28,7 @@ struct listed_function {
     int root = 1;
 };
 
-/// The verdict and the results of all tests, in the unit of the variable. The first row is the verdict.
+/// The verdict and the results of all tests, in units of the variable. The first row is the verdict.
 struct radius_answers {
     list_verdict verdict;
     std::string floor;  ///< description of the noise floor; empty if there is none
@@ -46,10 +46,10 @@ inline constexpr long radius_guard_digits = 20;
 radius_answers answers_of(const listed_function& function, const scalar_spec& scalar,
                           const task_runner& run = run_in_order);
 
-/// A list from a file as the verdict takes it: the numbers as written, with at least bits_for(N) bits.
+/// A list from a file as input of a verdict: the numbers as written, with at least bits_for(N) bits.
 series_list as_written(const listed_series& list);
 
-/// The verdict as a row beside the tests; without a radius if that is zero, infinite or not found.
+/// The verdict as a row above those of the tests; without a radius if that is zero, infinite or not found.
 radius_estimate<mpfr> estimate_of(const list_verdict& verdict);
 
 /// The verdict on coefficients a_n, n = 0 .. N, correct to the precision of T.

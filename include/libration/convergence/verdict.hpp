@@ -83,7 +83,7 @@ struct predicted_coefficient {
     mpfr uncertainty;  ///< ten times the median distance of nine tracks from their median
 };
 
-/// a_(N+1) .. a_(N+count), as far as three tracks predict them; exactly 0 where the pattern of the list says so.
+/// a_(N+1) .. a_(N+count), as far as three tracks predict them; exactly 0 where the pattern of the list has a zero.
 std::vector<predicted_coefficient> predictions_for(const series_list& list, int count,
                                                    const task_runner& run = run_in_order);
 

@@ -1,6 +1,6 @@
 // The vote of a family of approximants: where their roots recur, and what they agree on there.
 //
-// One fit says little: its roots may be spurious, and its change from one length to the next is small or large by
+// One fit proves little: its roots may be spurious, and its change from one length to the next is small or large by
 // accident. A root near which the roots of many tracks lie, each within a few of its own steps, is another matter: the
 // share of a cluster is the geometric mean, over all voters, of
 //     0.7 (rho/(4 s)) / (1 + (d/(4 s))^2)^(3/2) + 0.3,

@@ -140,7 +140,7 @@ std::string text_of(const answer& found, const table& data) {
            "\nheuristic estimate: finitely many coefficients cannot prove a radius\n";
 }
 
-// The history and the ring of the verdict as further files: NAME_history.csv and NAME_ring.csv beside NAME.csv.
+// The history and the ring of the verdict as further files: NAME_history.csv and NAME_ring.csv next to NAME.csv.
 void write_lists(const table& data, const std::string& file) {
     namespace fs = std::filesystem;
     const fs::path path(file);

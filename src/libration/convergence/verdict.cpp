@@ -198,7 +198,7 @@ private:
         }
     }
 
-    // An exponent that moves in one direction over three lengths by more than its spread may go on to do so.
+    // An exponent that moves in one direction over three lengths by more than its spread may continue to do so.
     void widen_drifting(const placed_cluster& lead) {
         const auto& history = lead.of->history;
         if (!found_.exponent || lead.consensus().exact || lead.at < 3) {

@@ -57,7 +57,7 @@ std::map<int, const differential_root*> candidates(const differential_fit& fit, 
     }
     const auto* best = *std::ranges::max_element(
         here, {}, [](const auto* root) { return std::pair(root->lower, root->multiplicity); });
-    if (best->type() == 21) {  // beside a confirmed simple root
+    if (best->type() == 21) {  // next to a confirmed simple root
         const auto simple = std::ranges::find_if(here, [](const auto* root) { return root->type() == 11; });
         best = simple != here.end() ? *simple : best;
     }
