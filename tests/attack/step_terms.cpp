@@ -221,15 +221,15 @@ step_term conditional(const step_condition& condition, const step_term& p, const
 
 namespace {
 
-rational whole(const std::string& function, const rational& x) {
+rational whole(const std::string& name, const rational& x) {
     const rational half(1, 2);
-    if (function == "ceil") {
+    if (name == "ceil") {
         return -floor_of_fraction(-x);
     }
-    if (function == "trunc") {
+    if (name == "trunc") {
         return x < 0 ? rational(-floor_of_fraction(-x)) : floor_of_fraction(x);
     }
-    if (function == "round") {
+    if (name == "round") {
         return x < 0 ? rational(-floor_of_fraction(half - x)) : floor_of_fraction(x + half);
     }
     const rational up = floor_of_fraction(x + half);
@@ -239,22 +239,22 @@ rational whole(const std::string& function, const rational& x) {
 
 }  // namespace
 
-step_term whole_of(const std::string& function, const step_term& u) {
+step_term whole_of(const std::string& name, const step_term& u) {
     return function_of(
-        fmt::format("{}({})", function, u.text), u, rational(1, 2),
+        fmt::format("{}({})", name, u.text), u, rational(1, 2),
         [=](const line& at, const rational& inside) {
-            return line{whole(function, at.at(inside)), 0};
+            return line{whole(name, at.at(inside)), 0};
         },
         true);
 }
 
-step_term remainder_of(const std::string& function, const step_term& u, const rational& k) {
+step_term remainder_of(const std::string& name, const step_term& u, const rational& k) {
     return function_of(
-        fmt::format("{}({}, {})", function, u.text, as_typed(k)), u, k / 2,
+        fmt::format("{}({}, {})", name, u.text, as_typed(k)), u, k / 2,
         [=](const line& at, const rational& inside) {
             const rational quotient = at.at(inside) / k;
-            const rational n = function == "mod" ? floor_of_fraction(quotient)
-                                                 : whole(function == "fmod" ? "trunc" : "rint", quotient);
+            const rational n =
+                name == "mod" ? floor_of_fraction(quotient) : whole(name == "fmod" ? "trunc" : "rint", quotient);
             return line{at.constant - k * n, at.slope};
         },
         u.is_step);
