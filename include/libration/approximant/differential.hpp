@@ -18,12 +18,13 @@
 
 namespace libration {
 
-/// A sequence of fits: the order M = 1, 2 or 3 of the equation, the degree L of P, and the offset o by which Q_M is
-/// longer than usual.
+/// A sequence of fits: the order M = 0 .. 3 of the equation, the degree L of P, the offset o by which Q_M is longer than
+/// usual, and the lowest k whose Q_k is not 0. M = 0 is the Pade approximant of f, M = 1 with lowest = 1 that of x f'.
 struct differential_track {
     int order = 1;
     int degree = 0;
     int offset = 0;
+    int lowest = 0;
 };
 
 /// A fitted equation: Q_k = sum_j q[k][j] x^j, k = 0 .. M, with q[M][0] = 1.
@@ -41,12 +42,12 @@ struct differential_root {
     complex_number<mpfr> position;                ///< im >= 0
     complex_number<mpfr> exponent = {};           ///< the one with the smallest real part
     std::optional<double> second = std::nullopt;  ///< real part of the next one
-    int multiplicity = 1, lower = 1;              ///< m and e
+    int multiplicity = 1, lower = 1;              ///< m and e; of a Pade approximant e = 0, exponent -m
     bool irregular = false;                       ///< of an exact equation: an irregular singular point
 
     int type() const { return 10 * multiplicity + lower; }
     /// All e = m exponents are determined: a regular singular point of the equation.
-    bool is_regular() const { return multiplicity == lower && !irregular; }
+    bool is_regular() const { return (multiplicity == lower || lower == 0) && !irregular; }
 };
 
 /// The fit of one track to a_0 .. a_length: the roots of Q_M in an annulus.

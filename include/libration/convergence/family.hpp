@@ -25,7 +25,8 @@ struct approximant_family {
     bool has_exact_root() const;
 };
 
-/// M = 1, 2, 3; L = 0, 1, .. with growing gaps up to N - 4 M - 4; offsets 0, and 1 for M > 1 and L <= 6.
+/// M = 1, 2, 3; L = 0, 1, .. with growing gaps up to N - 4 M - 4; offsets 0, and 1 for M > 1 and L <= 6; and Pade
+/// approximants of f and of x f' for 0.35 N <= L <= N - 6, to which a meromorphic f or f' is exact up to a geometric error.
 std::vector<differential_track> tracks_for(int order);
 
 /// The last six of 14, 16, 19, 21, .. (factors 1.15, the same for all lists) from 0.38 N to N, and N.

@@ -37,7 +37,7 @@ struct root_consensus {
     std::complex<double> place() const { return {position.re.convert_to<double>(), position.im.convert_to<double>()}; }
     /// |position - other's|, without cancellation in double.
     double distance_to(const root_consensus& other) const;
-    bool is_regular_type() const { return type % 11 == 0; }
+    bool is_regular_type() const { return type % 11 == 0 || type % 10 == 0; }
 };
 
 /// A place where roots recur, and the consensus there at each voting length, the last at N.

@@ -142,7 +142,7 @@ private:
         }
         if (root && !is_known(*root)) {
             simple_.push_back(rounded(*root));
-            add_root(*root, 1, 1);
+            add_root(*root, 1, std::min(1, order_));
         }
     }
 
@@ -159,14 +159,14 @@ private:
             return;
         }
         const complex_double middle = (starts_[i] + starts_[*j]) / 2.0;
-        for (int lower = std::min(2, order_); lower >= 1; --lower) {
+        for (int lower = std::min(2, order_); lower >= std::min(1, order_); --lower) {
             add_between(middle, 1e-6, 2, lower);
         }
         const auto third = nearest_to(middle, {i, *j});
-        if (third && *third > i && order_ >= 2 &&
+        if (third && *third > i && order_ != 1 &&
             std::abs(starts_[*third] - middle) < near_each_other * std::abs(starts_[i])) {
             const complex_double of_three = (starts_[i] + starts_[*j] + starts_[*third]) / 3.0;
-            for (int lower = std::min(3, order_); lower >= 2; --lower) {
+            for (int lower = std::min(3, order_); lower >= std::min(2, order_); --lower) {
                 add_between(of_three, 1e-4, 3, lower);
             }
         }
@@ -238,6 +238,11 @@ private:
 
     void add_root(const complex_number<mpfr>& z, int multiplicity, int lower) {
         differential_root root{.position = z, .multiplicity = multiplicity, .lower = lower};
+        if (lower == 0) {
+            root.exponent = {mpfr(-multiplicity), mpfr(0)};
+            found_.push_back(std::move(root));
+            return;
+        }
         const auto v = zeros_of_indicial(indicial_coefficients(z, multiplicity, lower));
         if (v.empty() || !(std::abs(rounded(v.front())) < 1e6)) {
             return;

@@ -58,7 +58,7 @@ void differential_system::order_unknowns(int count) {
     };
     std::vector<unknown> all;
     for (int j = 0; j <= count + track_.offset; ++j) {
-        for (int k = 0; k <= top; ++k) {
+        for (int k = track_.lowest; k <= top; ++k) {
             if (k < top || j > 0) {
                 all.push_back({k, j, 0});
             }

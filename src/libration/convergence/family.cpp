@@ -80,6 +80,12 @@ std::vector<differential_track> tracks_for(int order) {
             }
         }
     }
+    for (const int degree : degrees) {
+        if (20 * degree >= 7 * order && degree <= order - 6) {
+            tracks.push_back({.order = 0, .degree = degree});
+            tracks.push_back({.order = 1, .degree = degree, .lowest = 1});
+        }
+    }
     return tracks;
 }
 
