@@ -20,9 +20,10 @@ mpfr number(const std::string& text) { return from_exact<mpfr>(read_exact(text))
 
 // One run serves all tests of this file.
 const std::map<std::string, std::vector<table_row>>& played() {
-    static const auto rows = rows_by_suffix("radius_tournament", {{"--energies", "0.5,1,1.71,2.02,4"},
-                                                                  {"--gaps", "1e-10,-1e-10"},
-                                                                  {"--orders", "30,60"},
+    static const auto rows = rows_by_suffix("radius_tournament", {{"--energies", "0.5,1,4"},
+                                                                  {"--gaps", "1e-10"},
+                                                                  {"--orders", "20,30"},
+                                                                  {"--lists", "46"},
                                                                   {"--scalar", "double"}});
     return rows;
 }

@@ -188,9 +188,6 @@ singularity_kind kind_alone(const root_cluster& cluster, std::size_t at) {
     const double nearest = std::round(t);
     const mpfr away = abs(mpfr(exponent - mpfr(nearest)));
     if (uncertainty < 0.05 && away <= std::max(uncertainty, 1e-12)) {
-        if (!found.exact && !is_pure(cluster, at)) {
-            return singularity_kind::unknown;
-        }
         return nearest < 0        ? singularity_kind::pole
                : found.type == 11 ? singularity_kind::logarithm
                                   : singularity_kind::unknown;
@@ -244,6 +241,10 @@ singularity_kind kind_at(const root_cluster& cluster, std::size_t at) {
     const singularity_kind kind = kind_alone(cluster, at);
     if (cluster.history[at]->exact) {
         return kind;
+    }
+    const bool simple = kind == singularity_kind::pole || kind == singularity_kind::logarithm;
+    if (simple && !is_pure(cluster, at)) {
+        return singularity_kind::unknown;
     }
     int held = 0;
     for (std::size_t i = at; i-- > 0 && held < 2;) {
