@@ -247,7 +247,7 @@ const study& radius_tournament() {
                        {"--gaps", "1e-10,-1e-10", "energies as 2 - E"},
                        {"--points", "0,2/5,1", "expansion points, fractions of T*: 0 the top, 1 the bottom"},
                        {"--orders", "20,40,80", "N, last powers of the lists"},
-                       {"--lists", "156", "random lists, of the families in turn"},
+                       {"--lists", "46", "random lists, of the families in turn"},
                        {"--seed", "1", "from which they are drawn"},
                        {"--scalar", "double and mpfr:60", "arithmetic of coefficients and tests"}},
         .quick = {{"--energies", "1.71", ""},

@@ -1250,6 +1250,6 @@ FAULTS = [
     ),
     *in_file(
         "src/libration/problem/radius_answer.cpp", ["problem/solution_test.cpp"],
-        ("a pole with branches by the equations called a pole", "if (single_valued && !*single_valued) {", "if (false) {"),
+        ("a pole with branches by the equations called a pole", "} else if (single_valued && !*single_valued) {", "} else if (false) {"),
     ),
 ]

@@ -19,7 +19,7 @@
 namespace libration {
 
 /// A sequence of fits: the order M = 0 .. 3 of the equation, the degree L of P, the offset o by which Q_M is longer than
-/// usual, and the lowest k whose Q_k is not 0. M = 0 is the Pade approximant of f, M = 1 with lowest = 1 that of x f'.
+/// usual, and the lowest k with a nonzero Q_k. M = 0 is the Pade approximant of f, M = 1 with lowest = 1 that of x f'.
 struct differential_track {
     int order = 1;
     int degree = 0;

@@ -179,14 +179,27 @@ std::vector<answer_note> verdict_in_words(const radius_answers& answers, const e
     return notes;
 }
 
-// A pole where the equations have branches is not one.
+// Whether the exponent is that of a pole within its uncertainty.
+bool has_exponent_of_pole(const radius_estimate<mpfr>& verdict) {
+    if (!verdict.exponent || verdict.exponent_uncertainty * 20 > 1) {
+        return false;
+    }
+    const mpfr nearest = round(*verdict.exponent);
+    return nearest < 0 && abs(mpfr(*verdict.exponent - nearest)) <= verdict.exponent_uncertainty;
+}
+
+// The equations decide whether what looks like a pole is one.
 void settle_kind(radius_estimate<mpfr>& verdict, const branch_analysis& analysis) {
-    if (verdict.kind == singularity_kind::pole && verdict.position && analysis) {
-        const auto single_valued = analysis(*verdict.position);
-        if (single_valued && !*single_valued) {
-            verdict.kind = singularity_kind::unknown;
-            verdict.note += "; no pole: by its equations the solution has branches there";
-        }
+    const bool open = verdict.kind == singularity_kind::pole || verdict.kind == singularity_kind::unknown;
+    if (!open || !verdict.position || !analysis || !has_exponent_of_pole(verdict)) {
+        return;
+    }
+    const auto single_valued = analysis(*verdict.position);
+    if (single_valued && *single_valued) {
+        verdict.kind = singularity_kind::pole;
+    } else if (single_valued && !*single_valued) {
+        verdict.kind = singularity_kind::unknown;
+        verdict.note += "; no pole: by its equations the solution has branches there";
     }
 }
 
