@@ -1150,7 +1150,7 @@ FAULTS = [
     ),
     *in_file(
         "src/libration/convergence/cluster_answer.cpp", ["convergence/verdict_test.cpp"],
-        ("a psi series named a pole", "if (simple && !is_pure(cluster, at)) {", "if (false) {"),
+        ("a psi series named a pole", "return is_pure(cluster, at) ? kind : singularity_kind::unknown;", "return kind;"),
         ("an apparent singularity", "return singular - regular > 8 &&", "return false &&"),
         ("an uncertainty of the last step alone", "return factor * (drift ? std::max(raw, *drift) : 5 * raw);",
          "return found.step / found.modulus();"),

@@ -243,8 +243,8 @@ singularity_kind kind_at(const root_cluster& cluster, std::size_t at) {
         return kind;
     }
     const bool simple = kind == singularity_kind::pole || kind == singularity_kind::logarithm;
-    if (simple && !is_pure(cluster, at)) {
-        return singularity_kind::unknown;
+    if (simple) {
+        return is_pure(cluster, at) ? kind : singularity_kind::unknown;
     }
     int held = 0;
     for (std::size_t i = at; i-- > 0 && held < 2;) {

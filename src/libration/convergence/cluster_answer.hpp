@@ -34,8 +34,8 @@ placed_cluster placed(const root_cluster& cluster);
 /// The exponent at a length and its uncertainty, by the same rule.
 std::pair<mpfr, double> exponent_at(const root_cluster& cluster, std::size_t at);
 
-/// The kind at a length, if it is the same at the two lengths before or the list satisfies an exact equation. A pole or a
-/// logarithm in addition requires a position to 10^(-N/3), or to the noise of the list.
+/// The kind at a length, if the list satisfies an exact equation, or: a pole or a logarithm, if the position is sharp to
+/// 10^(-N/3) or to the noise of the list; another kind, if it is the same at the two lengths before.
 singularity_kind kind_at(const root_cluster& cluster, std::size_t at);
 
 /// Clusters that count, nearest first: with a share of at least `least`, or of 4 and the same position at the last four
