@@ -252,7 +252,7 @@ const study& radius_tournament() {
                        {"--scalar", "double and mpfr:60", "arithmetic of coefficients and tests"}},
         .quick = {{"--energies", "1.71", ""},
                   {"--orders", "20", ""},
-                  {"--lists", "6", ""},
+                  {"--lists", "3", ""},
                   {"--points", "0", ""},
                   {"--scalar", "double", ""}},
         .seconds = 240,

@@ -85,8 +85,7 @@ TEST_CASE("radius_tournament ranks by digits and counts no radius for what has n
         const mpfr digits = number(row.at("mean_digits"));
         CHECK((rank == 1 || digits <= before));
         before = digits;
-        // With 20 coefficients, half of them 0, some answers to entire functions are less certain than themselves.
-        CHECK((row.at("order") == "20" || row.at("false_answers") == "0"));
+        CHECK(row.at("false_answers") == "0");
         if (row.at("method") == "verdict") {
             CHECK(rank == 1);
         }

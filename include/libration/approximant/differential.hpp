@@ -43,6 +43,7 @@ struct differential_root {
     complex_number<mpfr> exponent = {};           ///< the one with the smallest real part
     std::optional<double> second = std::nullopt;  ///< real part of the next one
     int multiplicity = 1, lower = 1;              ///< m and e; of a Pade approximant e = 0, exponent -m
+    bool assumed = false;                         ///< the exponent is that of a Pade approximant, whatever f is
     bool irregular = false;                       ///< of an exact equation: an irregular singular point
 
     int type() const { return 10 * multiplicity + lower; }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "libration/convergence/coefficient_pattern.hpp"
 #include "libration/scalar/mpfr.hpp"
 
 namespace libration::convergence {
@@ -19,6 +20,12 @@ struct series_list {
 
     int order() const { return static_cast<int>(values.size()) - 1; }
 };
+
+/// The zeros of a list: exact ones, and those that its rounding may have left, at most 1e-12 of their neighbours.
+coefficient_pattern pattern_of(const series_list& list);
+
+/// The coefficients of the class that the pattern found, b_k = a_(first + stride k).
+std::vector<mpfr> class_of(const series_list& list, const coefficient_pattern& pattern);
 
 /// The working precision that a list of order N deserves: 384 + 2 N bits. The systems of differential approximants are
 /// so ill-conditioned that half of them are lost.

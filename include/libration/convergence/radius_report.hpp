@@ -122,7 +122,11 @@ radius_report<T> report_on_radius(const series::power_series<T>& a, const T& noi
         for (const auto& test : tests) {
             report.tests.push_back(test.run(test.as_given ? all : part));
             add_position_to_exponent(report.tests.back(), quality);
-            report.tests.back().uncertainty *= test.is_self_validating ? 1 : caution_of(test.kind);
+            radius_estimate<T>& found = report.tests.back();
+            found.uncertainty *= test.is_self_validating ? 1 : caution_of(test.kind);
+            if (found.radius && found.uncertainty >= *found.radius) {
+                found = no_estimate<T>(test.method, "its uncertainty is larger than the radius");
+            }
         }
     }
     const std::string reason = reason_for_no_radius(report.pattern, report.growth.kind);

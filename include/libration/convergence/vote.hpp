@@ -26,8 +26,9 @@ struct root_consensus {
     bool exact = false;             ///< an exact equation is among the top
     mpfr exponent = mpfr(0);        ///< weighted median of the exponents of the top
     double exponent_spread = 0, exponent_step = 0;
-    double second = 0;  ///< the second exponent, for a multiple root
-    int type = 11;      ///< most frequent type of root among the top
+    bool assumed = false;  ///< fewer than three voters determine an exponent
+    double second = 0;     ///< the second exponent, for a multiple root
+    int type = 11;         ///< most frequent type of root among the top
     bool irregular = false;
     double slope = 0;                                ///< of the exponent against the position, over the members
     double residual = 0;                             ///< median distance of their exponents from the line of that slope

@@ -61,7 +61,10 @@ complex_number<mpfr> value_at(const polynomial& p, const complex_number<mpfr>& z
 class equation_roots {
 public:
     equation_roots(const differential_relation& relation, root_annulus within)
-        : order_(relation.track.order), within_(within), exact_(relation.exact) {
+        : order_(relation.track.order),
+          assumed_(relation.track.lowest == relation.track.order),
+          within_(within),
+          exact_(relation.exact) {
         for (const auto& q : relation.q) {
             polynomial& rounded_to = q_.emplace_back();
             for (const mpfr& c : q) {
@@ -237,7 +240,7 @@ private:
     }
 
     void add_root(const complex_number<mpfr>& z, int multiplicity, int lower) {
-        differential_root root{.position = z, .multiplicity = multiplicity, .lower = lower};
+        differential_root root{.position = z, .multiplicity = multiplicity, .lower = lower, .assumed = assumed_};
         if (lower == 0) {
             root.exponent = {mpfr(-multiplicity), mpfr(0)};
             found_.push_back(std::move(root));
@@ -320,6 +323,7 @@ private:
     static constexpr double near_each_other = 0.08;
 
     int order_;
+    bool assumed_;
     root_annulus within_;
     bool exact_;
     std::vector<polynomial> q_;

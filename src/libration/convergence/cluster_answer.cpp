@@ -12,6 +12,7 @@ namespace {
 constexpr double widening = 8;
 constexpr double found_share = 10;
 constexpr double finest_width = 1e-57;
+constexpr double unknown_exponent = 100;  // as an uncertainty
 
 // The consensus at earlier lengths: the one before, and the last and the last but one of at most 0.93 of the length.
 struct earlier_consensus {
@@ -227,6 +228,9 @@ placed_cluster placed(const root_cluster& cluster) {
 
 std::pair<mpfr, double> exponent_at(const root_cluster& cluster, std::size_t at) {
     const root_consensus& found = *cluster.history[at];
+    if (found.assumed && !found.exact && !is_pure(cluster, at)) {
+        return {found.exponent, unknown_exponent};
+    }
     const double width = std::max({found.exponent_spread, found.exponent_step, 1e-50});
     if (found.exact && found.spread < 1e-45 && width < 1e-6) {
         return {found.exponent, widening * width};

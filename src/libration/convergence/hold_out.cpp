@@ -148,13 +148,9 @@ std::optional<suspect_coefficient> find_suspect(std::span<const mpfr> b, const s
 
 std::vector<predicted_coefficient> predictions_for(const series_list& list, int count, const task_runner& run) {
     const precision_scope scope(decimal_digits(bits_for(list.order()) + 64));
-    const auto scaled = in_unit(list.values, level_unit(list.values), bits_for(list.order()));
-    const auto pattern = pattern_of(series::power_series<mpfr>(scaled), mpfr(std::min(list.zero, 1e-10)));
-    std::vector<mpfr> b;
+    const coefficient_pattern pattern = pattern_of(list);
     const int first = pattern.first % pattern.stride;
-    for (int n = first; n <= list.order(); n += pattern.stride) {
-        b.push_back(list.values[static_cast<std::size_t>(n)]);
-    }
+    const auto b = class_of(list, pattern);
     std::vector<predicted_coefficient> found;
     const auto in_class = predictions(b, count / pattern.stride + 1, run);
     for (int n = list.order() + 1; n <= list.order() + count; ++n) {

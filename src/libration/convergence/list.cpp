@@ -29,6 +29,20 @@ std::vector<measured_size> sizes_from(std::span<const mpfr> b, std::size_t first
 
 }  // namespace
 
+coefficient_pattern pattern_of(const series_list& list) {
+    constexpr double largest_rounding = 1e-12;
+    const auto scaled = in_unit(list.values, level_unit(list.values), bits_for(list.order()));
+    return pattern_of(series::power_series<mpfr>(scaled), mpfr(std::min(list.zero, largest_rounding)));
+}
+
+std::vector<mpfr> class_of(const series_list& list, const coefficient_pattern& pattern) {
+    std::vector<mpfr> b;
+    for (int n = pattern.first % pattern.stride; n <= list.order(); n += pattern.stride) {
+        b.push_back(list.values[static_cast<std::size_t>(n)]);
+    }
+    return b;
+}
+
 double log_size(const mpfr& x) {
     if (x == 0) {
         return -std::numeric_limits<double>::infinity();

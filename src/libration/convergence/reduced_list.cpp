@@ -7,19 +7,12 @@
 
 namespace libration::convergence {
 
-namespace {
-
-constexpr int largest_rounding = -40;  // exponent of 2 of what may be a rounding error of a zero
-
-}  // namespace
-
 reduced_list::reduced_list(const series_list& list, std::span<const mpfr> noise, long bits)
     : unit_(level_unit(list.values)) {
     const auto scaled = in_unit(list.values, unit_, bits);
     auto errors = in_unit(noise, unit_, bits);
     errors.resize(scaled.size(), mpfr(0));
-    const mpfr rounding = std::min(mpfr(list.noise), ldexp(mpfr(1), largest_rounding));
-    pattern_ = pattern_of(series::power_series<mpfr>(scaled), rounding);
+    pattern_ = pattern_of(list);
     for (int n = 0; n <= pattern_.order; ++n) {
         const auto at = static_cast<std::size_t>(n);
         const bool in_class = !pattern_.polynomial && pattern_.last >= 0 && n % pattern_.stride == pattern_.first;

@@ -92,13 +92,10 @@ public:
 
 private:
     void find_pattern() {
-        std::vector<mpfr> scaled = in_unit(list_.values, level_unit(list_.values), bits_for(list_.order()));
-        found_.pattern = pattern_of(series::power_series<mpfr>(scaled), mpfr(std::min(list_.zero, 1e-10)));
+        found_.pattern = pattern_of(list_);
         stride_ = found_.pattern.stride;
         first_ = found_.pattern.first % stride_;
-        for (int n = first_; n <= list_.order(); n += stride_) {
-            b_.push_back(list_.values[static_cast<std::size_t>(n)]);
-        }
+        b_ = class_of(list_, found_.pattern);
         found_.used = list_.order();
     }
 
@@ -312,7 +309,8 @@ private:
                                      : "by growth alone: the coefficients fall faster than any power R^-n";
             return;
         }
-        if (const auto envelope = envelope_of(list_.values)) {
+        const auto envelope = envelope_of(list_.values);
+        if (envelope && envelope->uncertainty < 1) {
             found_.growth = growth_class::finite;
             found_.radius = exp(mpfr(envelope->log_radius));
             found_.uncertainty = *found_.radius * envelope->uncertainty;
@@ -324,7 +322,8 @@ private:
                 "no singularity that a linear differential equation describes is seen; the radius is from the "
                 "sizes of the coefficients alone";
         } else {
-            found_.note = "too few coefficients";
+            found_.note =
+                envelope ? "too few coefficients: their sizes give no radius to a factor of 2" : "too few coefficients";
         }
     }
 

@@ -193,13 +193,21 @@ std::vector<voter> top_of(const std::vector<voter>& members) {
     return top;
 }
 
-void add_exponents(root_consensus& found, const std::vector<voter>& top, const std::vector<double>& weights) {
+// From the voters that determine an exponent, if there are three.
+void add_exponents(root_consensus& found, std::vector<voter> top) {
+    const auto determines = [](const voter& each) { return !each.root->assumed; };
+    found.assumed = std::ranges::count_if(top, determines) < static_cast<std::ptrdiff_t>(fewest_voters);
+    if (!found.assumed) {
+        std::erase_if(top, [&](const voter& each) { return !determines(each); });
+    }
+    std::vector<double> weights;
     std::vector<mpfr> exponents;
     std::vector<double> steps;
     std::vector<double> second;
     std::map<int, int> types;
     int irregular = 0;
     for (const auto& each : top) {
+        weights.push_back(1 / each.step);
         exponents.push_back(each.root->exponent.re);
         steps.push_back(each.exponent_step);
         second.push_back(each.root->second.value_or(0));
@@ -273,7 +281,7 @@ std::optional<root_consensus> consensus_at(const approximant_family& family, int
     found.step = median(steps);
     found.share = std::exp(log_share);
     found.exact = std::ranges::any_of(top, &voter::exact);
-    add_exponents(found, top, weights);
+    add_exponents(found, top);
     add_members(found, members);
     return found;
 }

@@ -51,6 +51,7 @@ written_list written_list_of(const std::vector<exact>& coefficients) {
     const mpfr relative = power_of_ten(1 - *middle) / 2;
     const mpfr absolute = power_of_ten(-*std::max_element(places.begin(), places.end())) / 2;
     written.list.noise = relative.convert_to<double>();
+    written.list.zero = written.list.noise;
     for (std::size_t n = 0; n < coefficients.size(); ++n) {
         const bool rounded = decimals_of(coefficients[n]) > 0;
         written.rounding.push_back(rounded ? mpfr(abs(written.list.values[n]) * relative + absolute) : mpfr(0));

@@ -13,11 +13,40 @@ namespace {
 
 constexpr long digits_of_moves = 20;
 
+bool is_binary(node_kind kind) {
+    return kind == node_kind::sum || kind == node_kind::product || kind == node_kind::quotient ||
+           kind == node_kind::power;
+}
+
+// Whether an expression contains a parameter, itself or in the definition of another one.
+bool contains(const equation_system& system, const expression& e, const std::string& name) {
+    if (e.kind() == node_kind::parameter) {
+        const auto of = std::ranges::find(system.parameters, e.name(), &definition::name);
+        return e.name() == name || (of != system.parameters.end() && contains(system, of->value, name));
+    }
+    return (is_binary(e.kind()) && (contains(system, e.left(), name) || contains(system, e.right(), name))) ||
+           (e.kind() == node_kind::function && contains(system, e.left(), name));
+}
+
+// Whether an exponent in an expression contains a parameter.
+bool has_in_exponent(const equation_system& system, const expression& e, const std::string& name) {
+    if (e.kind() == node_kind::function) {
+        return has_in_exponent(system, e.left(), name);
+    }
+    return is_binary(e.kind()) && ((e.kind() == node_kind::power && contains(system, e.right(), name)) ||
+                                   has_in_exponent(system, e.left(), name) || has_in_exponent(system, e.right(), name));
+}
+
 // Parameters that can be opened: not exponents, nor those of the initial point, nor those that only other parameters
 // contain.
 std::vector<std::string> names_to_open(const equation_system& system) {
     std::vector<std::string> names;
     for (const definition& each : system.parameters) {
+        if (std::ranges::any_of(system.equations, [&](const equation& of) {
+                return has_in_exponent(system, of.left, each.name) || has_in_exponent(system, of.right, each.name);
+            })) {
+            continue;
+        }
         names.push_back(each.name);
         try {
             opened(system, names);
