@@ -180,7 +180,15 @@ TEST_CASE("derivatives by what a problem does not have are errors", "[ode][prove
     refused({"y(1)"}, "derivatives 'y(1)' is neither");
     refused({"y(0"}, "derivatives 'y(0' is neither");
     refused({"k", "k"}, "derivatives 'k' is given twice");
-    refused({"n"}, "derivatives");
+}
+
+// y = (1 - (n - 1) k t)^(-1/(n - 1)); with u = 1 - k t at n = 2, d log y/dn = log u + k t/u.
+TEST_CASE("derivatives by an exponent that is a parameter", "[ode][proved][derivatives]") {
+    const precision_scope scope(50);
+    const auto by = at("y' = k*y^n; y(0) = 1; k = 2; n = 2", "1/10", {"n", "k"}, 20);
+    const mpfr u = mpfr(4) / 5;
+    check_digits(by[0][0], mpfr((log(u) + (1 - u) / u) / u), 20);
+    check_digits(by[0][1], mpfr(1 / (10 * u * u)), 20);
 }
 
 // x = e^(t - t0): a derivative at a fixed initial point would be 0 instead of -2 x.

@@ -19,12 +19,16 @@
 namespace libration {
 
 /// A sequence of fits: the order M = 0 .. 3 of the equation, the degree L of P, the offset o by which Q_M is longer than
-/// usual, and the lowest k with a nonzero Q_k. M = 0 is the Pade approximant of f, M = 1 with lowest = 1 that of x f'.
+/// usual, and the lowest k with a nonzero Q_k. M = 0 is the Pade approximant of f, M = 1 with lowest = 1 that of D f.
+/// For the class f of a function x^first f(x^stride) with symmetry, D = x d/dx + first/stride, so that D f is a class of
+/// that function's derivative; roots and exponents are those of f.
 struct differential_track {
     int order = 1;
     int degree = 0;
     int offset = 0;
     int lowest = 0;
+    int first = 0;
+    int stride = 1;
 };
 
 /// A fitted equation: Q_k = sum_j q[k][j] x^j, k = 0 .. M, with q[M][0] = 1.

@@ -16,23 +16,30 @@
 
 namespace libration::convergence {
 
+/// A weighted median of exponents, the 75 % quantile of the distances from it, and the median step from length to length.
+struct exponent_vote {
+    mpfr value = mpfr(0);
+    double spread = 0, step = 0;
+};
+
 /// What the tracks agree on near a place, at one length.
 struct root_consensus {
     int length = 0;
-    complex_number<mpfr> position;  ///< weighted median of the top voters
-    double spread = 0;              ///< weighted 75 % quantile of their distances from it
-    double step = 0;                ///< their median step from length to length
-    double share = 0;               ///< the odds that one voter votes for it
-    bool exact = false;             ///< an exact equation is among the top
-    mpfr exponent = mpfr(0);        ///< weighted median of the exponents of the top
-    double exponent_spread = 0, exponent_step = 0;
-    bool assumed = false;  ///< fewer than three voters determine an exponent
-    double second = 0;     ///< the second exponent, for a multiple root
-    int type = 11;         ///< most frequent type of root among the top
+    complex_number<mpfr> position;                           ///< weighted median of the top voters
+    double spread = 0;                                       ///< weighted 75 % quantile of their distances from it
+    double step = 0;                                         ///< their median step from length to length
+    double share = 0;                                        ///< the odds that one voter votes for it
+    bool exact = false;                                      ///< an exact equation is among the top
+    exponent_vote exponent;                                  ///< of the top voters
+    bool assumed = false;                                    ///< fewer than three of the top determine an exponent
+    std::optional<exponent_vote> determined = std::nullopt;  ///< if so, of the other voters that do
+    double second = 0;                                       ///< the second exponent, for a multiple root
+    int type = 11;                                           ///< most frequent type of root among the top
     bool irregular = false;
+    int agreeing = 0;                                ///< number of members
     double slope = 0;                                ///< of the exponent against the position, over the members
     double residual = 0;                             ///< median distance of their exponents from the line of that slope
-    std::vector<std::complex<double>> members = {};  ///< (position, exponent) of each member, real parts
+    std::vector<std::complex<double>> members = {};  ///< (position, exponent), real parts
 
     double modulus() const { return std::abs(place()); }
     std::complex<double> place() const { return {position.re.convert_to<double>(), position.im.convert_to<double>()}; }

@@ -6,12 +6,20 @@
 
 namespace libration {
 
+namespace {
+
+// The factor by which D multiplies x^n.
+mpfr factor_of(const differential_track& track, int n) { return mpfr(track.stride * n + track.first) / track.stride; }
+
+}  // namespace
+
 coefficient_of_equation coefficient_of(const differential_relation& relation, std::span<const mpfr> a, int m) {
     coefficient_of_equation at{mpfr(0), mpfr(0)};
     for (std::size_t k = 0; k < relation.q.size(); ++k) {
         for (std::size_t j = 0; j < relation.q[k].size() && static_cast<int>(j) <= m; ++j) {
             const int n = m - static_cast<int>(j);
-            const mpfr term = relation.q[k][j] * pow(mpfr(n), static_cast<int>(k)) * a[static_cast<std::size_t>(n)];
+            const mpfr term = relation.q[k][j] * pow(factor_of(relation.track, n), static_cast<int>(k)) *
+                              a[static_cast<std::size_t>(n)];
             at.value += term;
             at.largest = std::max(at.largest, mpfr(abs(term)));
         }
@@ -22,13 +30,14 @@ coefficient_of_equation coefficient_of(const differential_relation& relation, st
 mpfr next_by(const differential_relation& relation, std::span<const mpfr> a, int m) {
     mpfr sum(0);
     mpfr factor(0);
+    const mpfr power = factor_of(relation.track, m);
     for (int k = static_cast<int>(relation.q.size()) - 1; k >= 0; --k) {
         const auto& q = relation.q[static_cast<std::size_t>(k)];
-        factor = factor * m + (q.empty() ? mpfr(0) : q.front());
+        factor = factor * power + (q.empty() ? mpfr(0) : q.front());
         for (std::size_t j = 1; j < q.size() && static_cast<int>(j) <= m; ++j) {
             const int n = m - static_cast<int>(j);
             if (q[j] != 0) {
-                sum -= q[j] * pow(mpfr(n), k) * a[static_cast<std::size_t>(n)];
+                sum -= q[j] * pow(factor_of(relation.track, n), k) * a[static_cast<std::size_t>(n)];
             }
         }
     }
@@ -40,7 +49,7 @@ differential_system::differential_system(std::span<const mpfr> a, const differen
     const int whole = std::max(1, static_cast<int>(a.size()) - 1);
     for (int n = 0; n <= last; ++n) {
         mpfr value = narrow<mpfr>(a[static_cast<std::size_t>(n)]);
-        const mpfr ratio = mpfr(n) / whole;
+        const mpfr ratio = factor_of(track, n) / whole;
         for (auto& of_power : terms_) {
             of_power.push_back(value);
             value *= ratio;
@@ -103,8 +112,10 @@ void differential_system::reduce(equation& row) const {
 bool differential_system::add() {
     ++unknowns_;
     equation row = written(length());
-    reduce(row);
-    pending_.push_back(std::move(row));
+    if (!std::ranges::all_of(row.entries, [](const mpfr& each) { return each == 0; })) {
+        reduce(row);
+        pending_.push_back(std::move(row));
+    }
     for (std::size_t i = 0; i < pending_.size();) {
         equation next = std::move(pending_[i]);
         if (place(next)) {

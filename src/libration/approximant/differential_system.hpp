@@ -23,8 +23,8 @@ mpfr next_by(const differential_relation& relation, std::span<const mpfr> a, int
 
 /// Gaussian elimination that grows by one equation and one unknown at a time, in the working precision. An equation is
 /// reduced by all previous ones; its pivot is its largest entry among the unknowns in use. If all of these are below
-/// 2^(-4/5 bits) of its first size, the equation is pending: it waits for further unknowns. The unknown of (k, j)
-/// multiplies ((m-j)/N)^k a_{m-j}, N the last index.
+/// 2^(-4/5 bits) of its first size, the equation is pending: it waits for further unknowns. An equation 0 = 0, from zeros at
+/// the beginning of the list, is left out. The unknown of (k, j) multiplies ((m-j+first/stride)/N)^k a_{m-j}, N the last index.
 class differential_system {
 public:
     /// Of lengths up to `last`.
@@ -66,7 +66,7 @@ private:
 
     differential_track track_;
     std::span<const mpfr> a_;
-    std::vector<std::vector<mpfr>> terms_;  ///< (n/N)^k a_n
+    std::vector<std::vector<mpfr>> terms_;  ///< ((n+first/stride)/N)^k a_n
     long threshold_;
     int unknowns_ = 0;
     std::size_t pivots_ = 0;

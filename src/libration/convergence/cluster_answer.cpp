@@ -145,10 +145,10 @@ bool is_apparent(const approximant_family& family, const root_consensus& root, c
     const double growth = std::log2(static_cast<double>(n + m) / (n + w / 2.0));
     const double fall =
         log2_largest(ahead, ends - window, ends) + (n + m) * y - log2_largest(ahead, 0, window) - (n + w / 2.0) * y;
-    const double singular = -(root.exponent.convert_to<double>() + 1) * growth;
-    const double regular = next == nullptr
-                               ? singular - 60
-                               : -(std::clamp(next->exponent.convert_to<double>(), -9.0, 9.0) + 1) * growth - m * ratio;
+    const double singular = -(root.exponent.value.convert_to<double>() + 1) * growth;
+    const double regular =
+        next == nullptr ? singular - 60
+                        : -(std::clamp(next->exponent.value.convert_to<double>(), -9.0, 9.0) + 1) * growth - m * ratio;
     return singular - regular > 8 && fall < (singular + regular) / 2;
 }
 
@@ -170,6 +170,15 @@ bool is_related(const placed_cluster& a, const placed_cluster& b) {
 bool is_pure(const root_cluster& cluster, std::size_t at) {
     const int n = cluster.history[at]->length;
     return position_uncertainty(cluster, at) <= std::max(std::pow(10.0, -n / 3.0), 64 * n * cluster.noise);
+}
+
+// Whether those that determine an exponent, if any, agree with those that assume one.
+bool is_plausible_assumption(const root_consensus& found) {
+    if (!found.determined) {
+        return true;
+    }
+    const double away = std::abs(mpfr(found.exponent.value - found.determined->value).convert_to<double>());
+    return away <= widening * std::max(found.determined->spread, found.determined->step);
 }
 
 // The kind that the consensus of one length alone shows.
@@ -228,17 +237,22 @@ placed_cluster placed(const root_cluster& cluster) {
 
 std::pair<mpfr, double> exponent_at(const root_cluster& cluster, std::size_t at) {
     const root_consensus& found = *cluster.history[at];
-    if (found.assumed && !found.exact && !is_pure(cluster, at)) {
-        return {found.exponent, unknown_exponent};
+    const bool by_top = !found.assumed || found.exact || (is_pure(cluster, at) && is_plausible_assumption(found));
+    const auto vote_of = [&](const root_consensus& each) -> const exponent_vote& {
+        return !by_top && each.determined ? *each.determined : each.exponent;
+    };
+    const exponent_vote& vote = vote_of(found);
+    if (!by_top && !found.determined) {
+        return {vote.value, unknown_exponent};
     }
-    const double width = std::max({found.exponent_spread, found.exponent_step, 1e-50});
+    const double width = std::max({vote.spread, vote.step, 1e-50});
     if (found.exact && found.spread < 1e-45 && width < 1e-6) {
-        return {found.exponent, widening * width};
+        return {vote.value, widening * width};
     }
-    const auto drift = drift_of(cluster, at, [](const root_consensus& a, const root_consensus& b) {
-        return std::abs(mpfr(a.exponent - b.exponent).convert_to<double>());
+    const auto drift = drift_of(cluster, at, [&](const root_consensus& x, const root_consensus& y) {
+        return std::abs(mpfr(vote_of(x).value - vote_of(y).value).convert_to<double>());
     });
-    return {found.exponent, widening * (drift ? std::max(width, *drift) : 5 * width)};
+    return {vote.value, widening * (drift ? std::max(width, *drift) : 5 * width)};
 }
 
 singularity_kind kind_at(const root_cluster& cluster, std::size_t at) {
@@ -270,7 +284,7 @@ std::vector<const root_cluster*> strong_clusters(const approximant_family& famil
     }
     std::ranges::stable_sort(strong, {}, [](const auto* each) { return each->now().modulus(); });
     const auto may_be_apparent = [](const root_consensus& at) {
-        return at.exact && at.is_regular_type() && std::abs(at.exponent.convert_to<double>()) < 9;
+        return at.exact && at.is_regular_type() && std::abs(at.exponent.value.convert_to<double>()) < 9;
     };
     while (!strong.empty() && may_be_apparent(strong.front()->now()) &&
            is_apparent(family, strong.front()->now(), strong.size() > 1 ? &strong[1]->now() : nullptr)) {
@@ -296,7 +310,7 @@ std::vector<placed_cluster> ring_of(const std::vector<const root_cluster*>& stro
         if (a.uncertainty != b.uncertainty) {
             return a.uncertainty < b.uncertainty;
         }
-        return a.consensus().exponent < b.consensus().exponent;
+        return a.consensus().exponent.value < b.consensus().exponent.value;
     });
     return ring;
 }

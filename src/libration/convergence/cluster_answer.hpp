@@ -31,7 +31,8 @@ double position_uncertainty(const root_cluster& cluster, std::size_t at);
 /// contradicted by that at N.
 placed_cluster placed(const root_cluster& cluster);
 
-/// The exponent at a length and its uncertainty, by the same rule.
+/// The exponent at a length and its uncertainty, by the same rule. One that the top voters assume counts only if the
+/// position is as sharp as that of a pure pole (kind_at) and the voters that determine one agree with it.
 std::pair<mpfr, double> exponent_at(const root_cluster& cluster, std::size_t at);
 
 /// The kind at a length, if the list satisfies an exact equation, or: a pole or a logarithm, if the position is sharp to

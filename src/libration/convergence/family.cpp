@@ -67,7 +67,7 @@ bool approximant_family::has_exact_root() const {
     return std::ranges::any_of(fits, [](const auto& fit) { return fit.exact && !fit.roots.empty(); });
 }
 
-std::vector<differential_track> tracks_for(int order) {
+std::vector<differential_track> tracks_for(int order, coefficient_class of) {
     constexpr std::array degrees{0,  1,  2,  3,  4,  5,   6,   8,   10,  13,  16,  20,  25, 31,
                                  39, 48, 58, 70, 85, 100, 120, 145, 175, 210, 250, 300, 360};
     std::vector<differential_track> tracks;
@@ -80,11 +80,17 @@ std::vector<differential_track> tracks_for(int order) {
             }
         }
     }
-    for (const int degree : degrees) {
-        if (20 * degree >= 7 * order && degree <= order - 6) {
+    constexpr int dense = 24;
+    for (int degree = 0; degree <= order - 6; ++degree) {
+        const bool taken = degree <= dense || std::ranges::find(degrees, degree) != degrees.end();
+        if (taken && 10 * degree >= 3 * order) {
             tracks.push_back({.order = 0, .degree = degree});
             tracks.push_back({.order = 1, .degree = degree, .lowest = 1});
         }
+    }
+    for (auto& track : tracks) {
+        track.first = of.first;
+        track.stride = of.stride;
     }
     return tracks;
 }
@@ -104,13 +110,13 @@ std::vector<int> voting_lengths(int order) {
     return lengths;
 }
 
-approximant_family family_of(std::span<const mpfr> b, const task_runner& run) {
+approximant_family family_of(std::span<const mpfr> b, coefficient_class of, const task_runner& run) {
     approximant_family family;
     family.order = static_cast<int>(b.size()) - 1;
     const long bits = bits_for(family.order);
     family.unit = level_unit(b);
     family.scaled = in_unit(b, family.unit, bits);
-    family.tracks = tracks_for(family.order);
+    family.tracks = tracks_for(family.order, of);
     family.lengths = voting_lengths(family.order);
     std::vector<int> fitted;
     for (const int length : family.lengths) {

@@ -16,6 +16,7 @@ namespace libration::convergence {
 namespace {
 
 constexpr int fewest_coefficients = 12;
+constexpr int fewest_of_exact_list = 10;
 constexpr double finest_uncertainty = 1e-50;
 constexpr double strong_share = 10;
 
@@ -26,28 +27,33 @@ struct examined_list {
     std::vector<const root_cluster*> strong;
 };
 
-std::unique_ptr<examined_list> examined(std::span<const mpfr> b, double noise, const task_runner& run) {
+// Fewer than 12 coefficients show a singularity only if they satisfy an exact equation.
+std::unique_ptr<examined_list> examined(std::span<const mpfr> b, coefficient_class of, double noise,
+                                        const task_runner& run) {
     auto found = std::make_unique<examined_list>();
     const precision_scope scope(decimal_digits(bits_for(static_cast<int>(b.size()))));
-    found->family = family_of(b, run);
-    found->clusters = clusters_of(found->family);
-    for (auto& each : found->clusters) {
-        each.noise = noise;
+    found->family = family_of(b, of, run);
+    if (static_cast<int>(b.size()) >= fewest_coefficients || found->family.is_exact()) {
+        found->clusters = clusters_of(found->family);
+        for (auto& each : found->clusters) {
+            each.noise = noise;
+        }
+        found->strong = strong_clusters(found->family, found->clusters);
     }
-    found->strong = strong_clusters(found->family, found->clusters);
     return found;
 }
 
 // The whole list, or the longest of its first 80, 62, 48, 37 and 28 % with a strong cluster; otherwise the whole list.
-std::unique_ptr<examined_list> examined_with_cuts(std::span<const mpfr> b, double noise, const task_runner& run) {
+std::unique_ptr<examined_list> examined_with_cuts(std::span<const mpfr> b, coefficient_class of, double noise,
+                                                  const task_runner& run) {
     std::unique_ptr<examined_list> whole;
     const double last = static_cast<double>(b.size()) - 1;
     for (const double part : {1.0, 0.8, 0.62, 0.48, 0.37, 0.28}) {
         const auto kept = static_cast<std::size_t>(std::lround(part * last)) + 1;
-        if (kept < fewest_coefficients) {
+        if (whole && kept < fewest_coefficients) {
             break;
         }
-        auto found = examined(b.first(kept), noise, run);
+        auto found = examined(b.first(kept), of, noise, run);
         if (!found->strong.empty()) {
             return found;
         }
@@ -67,13 +73,14 @@ public:
             found_.note = found_.pattern.text();
             return std::move(found_);
         }
-        const bool examine = static_cast<int>(b_.size()) >= fewest_coefficients && !found_.pattern.lacunary;
-        if (examine) {
+        const auto size = static_cast<int>(b_.size());
+        const bool examine = size >= fewest_of_exact_list && !found_.pattern.lacunary;
+        if (examine && size >= fewest_coefficients) {
             hold_out();
         }
         const auto growth = size_growth_of(b_);
         gamma_ = growth ? growth->gamma : 0;
-        const auto examined = examine ? examined_with_cuts(b_, list_.noise, run_) : nullptr;
+        const auto examined = examine ? examined_with_cuts(b_, class_, list_.noise, run_) : nullptr;
         const bool strong = examined && !examined->strong.empty();
         if (strong) {
             take(*examined);
@@ -93,13 +100,12 @@ public:
 private:
     void find_pattern() {
         found_.pattern = pattern_of(list_);
-        stride_ = found_.pattern.stride;
-        first_ = found_.pattern.first % stride_;
+        class_ = {found_.pattern.first % found_.pattern.stride, found_.pattern.stride};
         b_ = class_of(list_, found_.pattern);
         found_.used = list_.order();
     }
 
-    int index_of(int k) const { return first_ + stride_ * k; }
+    int index_of(int k) const { return class_.first + class_.stride * k; }
 
     // The predictability of the coefficients, and the one that is wrong: the verdict is then based on those before it.
     void hold_out() {
@@ -120,13 +126,13 @@ private:
 
     double relative_uncertainty() const { return mpfr(found_.uncertainty / *found_.radius).convert_to<double>(); }
 
-    mpfr in_x(const mpfr& y) const { return stride_root(y, stride_); }
+    mpfr in_x(const mpfr& y) const { return stride_root(y, class_.stride); }
 
     ring_member member_of(const placed_cluster& each, const mpfr& unit) const {
         const root_consensus& at = each.consensus();
         const complex_number<mpfr> w{mpfr(at.position.re * unit), mpfr(at.position.im * unit)};
-        ring_member member{.position = stride_root(w, stride_), .uncertainty = mpfr(0)};
-        member.uncertainty = modulus_of(member.position) * each.uncertainty / stride_;
+        ring_member member{.position = stride_root(w, class_.stride), .uncertainty = mpfr(0)};
+        member.uncertainty = modulus_of(member.position) * each.uncertainty / class_.stride;
         const auto [exponent, uncertainty] = exponent_at(*each.of, each.at);
         member.kind = kind_at(*each.of, each.at);
         if (member.kind != singularity_kind::irregular && uncertainty < 10) {
@@ -143,7 +149,7 @@ private:
             each.uncertainty =
                 std::max({each.uncertainty, finest_uncertainty, each.consensus().exact ? list_.noise : 0});
             found_.ring.push_back(member_of(each, unit));
-            found_.count += each.consensus().position.im == 0 ? stride_ : 2 * stride_;
+            found_.count += each.consensus().position.im == 0 ? class_.stride : 2 * class_.stride;
         }
         const placed_cluster& lead = ring.front();
         const ring_member& first = found_.ring.front();
@@ -162,7 +168,7 @@ private:
         add_history(*lead.of, unit);
         add_family(lead.consensus(), unit);
         widen_drifting(lead);
-        describe(by, lead);
+        describe(lead);
         const double below = lead.lower();
         if (lead.uncertainty > 1e-40) {
             if (const auto nearer = doubtful_nearer(by.family, by.clusters, below)) {
@@ -179,16 +185,16 @@ private:
                 const mpfr radius = in_x(mpfr(modulus_of(cluster.history[i]->position) * unit));
                 const double relative = std::max(position_uncertainty(cluster, i), finest_uncertainty);
                 found_.history.push_back(
-                    {index_of(cluster.history[i]->length), radius, mpfr(radius * relative / stride_)});
+                    {index_of(cluster.history[i]->length), radius, mpfr(radius * relative / class_.stride)});
             }
         }
     }
 
     void add_family(const root_consensus& lead, const mpfr& unit) {
         const double y = lead.place().real();
-        found_.slope = lead.slope * y * stride_;
+        found_.slope = lead.slope * y * class_.stride;
         found_.residual = lead.residual;
-        if (lead.position.im == 0 && stride_ == 1) {
+        if (lead.position.im == 0 && class_.stride == 1) {
             for (const auto& each : lead.members) {
                 found_.family.emplace_back(each.real() * unit.convert_to<double>(), each.imag());
             }
@@ -206,15 +212,15 @@ private:
             if (!history[i] || !history[i - 1]) {
                 return;
             }
-            moves.push_back(mpfr(history[i]->exponent - history[i - 1]->exponent).convert_to<double>());
+            moves.push_back(mpfr(history[i]->exponent.value - history[i - 1]->exponent.value).convert_to<double>());
         }
         const double total = moves[0] + moves[1] + moves[2];
         const bool one_way = moves[0] * moves[1] > 0 && moves[1] * moves[2] > 0;
-        if (one_way &&
-            std::abs(total) > 4 * std::max(lead.consensus().exponent_spread, lead.consensus().exponent_step)) {
+        const exponent_vote& vote = lead.consensus().exponent;
+        if (one_way && std::abs(total) > 4 * std::max(vote.spread, vote.step)) {
             for (const auto& each : history) {
                 if (each && each->share >= strong_share) {
-                    const mpfr moved = abs(mpfr(each->exponent - *found_.exponent));
+                    const mpfr moved = abs(mpfr(each->exponent.value - *found_.exponent));
                     found_.exponent_uncertainty = std::max(found_.exponent_uncertainty, moved);
                 }
             }
@@ -222,16 +228,14 @@ private:
         }
     }
 
-    void describe(const examined_list& by, const placed_cluster& lead) {
+    void describe(const placed_cluster& lead) {
         const root_consensus& at = lead.consensus();
         found_.note = at.exact ? "the list satisfies a linear differential equation"
-                               : std::to_string(at.members.size()) + " differential approximants agree";
+                               : std::to_string(at.agreeing) + " differential approximants agree";
         const int all = index_of(static_cast<int>(b_.size()) - 1);
         if (found_.used < all) {
             found_.note += "; from the first " + std::to_string(found_.used + 1) + " coefficients";
-            const auto& now = by.strong.empty() ? at : lead.of->now();
-            const double moved = now.distance_to(at) / at.modulus();
-            if (&now != &at && moved > position_uncertainty(*lead.of, lead.at)) {
+            if (lead.of->now().distance_to(at) > position_uncertainty(*lead.of, lead.at) * at.modulus()) {
                 found_.note += ", which the later ones contradict";
             }
         }
@@ -254,7 +258,8 @@ private:
         rational best_order;
         for (const rational& order : gevrey_orders_near(gamma_)) {
             const rational s = gamma_ > 0 ? order : rational(-order);
-            auto found = examined(without_factorials(b_, s, bits_for(static_cast<int>(b_.size()))), list_.noise, run_);
+            auto found =
+                examined(without_factorials(b_, s, bits_for(static_cast<int>(b_.size()))), class_, list_.noise, run_);
             if (found->strong.empty()) {
                 continue;
             }
@@ -284,9 +289,9 @@ private:
         none.prediction = found_.prediction;
         found_ = std::move(none);
         found_.growth = s > 0 ? growth_class::zero : growth_class::infinite;
-        found_.gevrey = s / stride_;
+        found_.gevrey = s / class_.stride;
         found_.action = member.position;
-        found_.action_uncertainty = modulus_of(member.position) * relative / stride_;
+        found_.action_uncertainty = modulus_of(member.position) * relative / class_.stride;
         found_.exponent = member.exponent;
         found_.exponent_uncertainty = member.exponent_uncertainty;
         found_.exact = at.consensus().exact;
@@ -330,8 +335,7 @@ private:
     const series_list& list_;
     const task_runner& run_;
     std::vector<mpfr> b_;  ///< the coefficients of the class that the pattern found
-    int stride_ = 1;
-    int first_ = 0;
+    coefficient_class class_;
     double gamma_ = 0;
     bool drifts_ = false;
     list_verdict found_;

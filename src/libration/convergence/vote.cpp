@@ -193,45 +193,64 @@ std::vector<voter> top_of(const std::vector<voter>& members) {
     return top;
 }
 
-// From the voters that determine an exponent, if there are three.
-void add_exponents(root_consensus& found, std::vector<voter> top) {
-    const auto determines = [](const voter& each) { return !each.root->assumed; };
-    found.assumed = std::ranges::count_if(top, determines) < static_cast<std::ptrdiff_t>(fewest_voters);
-    if (!found.assumed) {
-        std::erase_if(top, [&](const voter& each) { return !determines(each); });
-    }
+bool determines_exponent(const voter& each) { return !each.root->assumed; }
+
+exponent_vote exponent_of(const std::vector<voter>& voters) {
     std::vector<double> weights;
     std::vector<mpfr> exponents;
     std::vector<double> steps;
+    for (const auto& each : voters) {
+        weights.push_back(1 / each.step);
+        exponents.push_back(each.root->exponent.re);
+        steps.push_back(each.exponent_step);
+    }
+    exponent_vote found{.value = weighted_median(exponents, weights)};
+    std::vector<double> away;
+    for (const mpfr& each : exponents) {
+        away.push_back(distance(each, found.value));
+    }
+    found.spread = weighted_quantile(away, weights, 0.75);
+    found.step = median(steps);
+    return found;
+}
+
+// From the voters that determine an exponent, if there are three.
+void add_exponents(root_consensus& found, std::vector<voter> top, std::vector<voter> members) {
+    const auto assumes = [](const voter& each) { return !determines_exponent(each); };
+    found.assumed = std::ranges::count_if(top, determines_exponent) < static_cast<std::ptrdiff_t>(fewest_voters);
+    if (found.assumed) {
+        std::erase_if(members, assumes);
+        if (members.size() >= fewest_voters) {
+            found.determined = exponent_of(top_of(members));
+        }
+    } else {
+        std::erase_if(top, assumes);
+    }
+    found.exponent = exponent_of(top);
     std::vector<double> second;
     std::map<int, int> types;
     int irregular = 0;
     for (const auto& each : top) {
-        weights.push_back(1 / each.step);
-        exponents.push_back(each.root->exponent.re);
-        steps.push_back(each.exponent_step);
         second.push_back(each.root->second.value_or(0));
         ++types[each.root->type()];
         irregular += each.root->irregular ? 1 : 0;
     }
-    found.exponent = weighted_median(exponents, weights);
-    std::vector<double> away;
-    for (const mpfr& each : exponents) {
-        away.push_back(distance(each, found.exponent));
-    }
-    found.exponent_spread = weighted_quantile(away, weights, 0.75);
-    found.exponent_step = median(steps);
     found.second = median(second);
     found.type = std::ranges::max_element(types, {}, [](const auto& each) { return each.second; })->first;
     found.irregular = 2 * irregular > static_cast<int>(top.size());
 }
 
-void add_members(root_consensus& found, const std::vector<voter>& members) {
+// Of members that determine an exponent, unless the top ones do not.
+void add_members(root_consensus& found, std::vector<voter> members) {
+    found.agreeing = static_cast<int>(members.size());
+    if (!found.assumed) {
+        std::erase_if(members, [](const voter& each) { return !determines_exponent(each); });
+    }
     double products = 0;
     double squares = 0;
     for (const auto& each : members) {
         const double x = mpfr(each.root->position.re - found.position.re).convert_to<double>();
-        const double y = mpfr(each.root->exponent.re - found.exponent).convert_to<double>();
+        const double y = mpfr(each.root->exponent.re - found.exponent.value).convert_to<double>();
         products += x * y;
         squares += x * x;
         found.members.emplace_back(each.root->position.re.convert_to<double>(),
@@ -241,7 +260,7 @@ void add_members(root_consensus& found, const std::vector<voter>& members) {
     std::vector<double> residuals;
     for (const auto& each : members) {
         const double x = mpfr(each.root->position.re - found.position.re).convert_to<double>();
-        const double y = mpfr(each.root->exponent.re - found.exponent).convert_to<double>();
+        const double y = mpfr(each.root->exponent.re - found.exponent.value).convert_to<double>();
         residuals.push_back(std::abs(y - found.slope * x));
     }
     found.residual = median(residuals);
@@ -281,7 +300,7 @@ std::optional<root_consensus> consensus_at(const approximant_family& family, int
     found.step = median(steps);
     found.share = std::exp(log_share);
     found.exact = std::ranges::any_of(top, &voter::exact);
-    add_exponents(found, top);
+    add_exponents(found, top, members);
     add_members(found, members);
     return found;
 }
