@@ -36,6 +36,7 @@ struct root_consensus {
     double second = 0;                                       ///< the second exponent, for a multiple root
     int type = 11;                                           ///< most frequent type of root among the top
     bool irregular = false;
+    std::vector<std::size_t> tracks = {};            ///< of the top voters, the sharpest first
     int agreeing = 0;                                ///< number of members
     double slope = 0;                                ///< of the exponent against the position, over the members
     double residual = 0;                             ///< median distance of their exponents from the line of that slope

@@ -94,24 +94,35 @@ double log2_largest(const std::vector<mpfr>& values, std::size_t first, std::siz
     return largest;
 }
 
-// The list continued by up to three exact equations, as far as they agree to 10^-6; empty if there is only one.
-std::vector<mpfr> continuation(const approximant_family& family, int count) {
+// The list continued by up to three equations, exact ones or else the sharpest of those that agree on a root, as far as
+// they agree to 10^-6; empty if there is only one.
+std::vector<mpfr> continuation(const approximant_family& family, const root_consensus& root, int count) {
     const long bits = bits_for(family.order);
     const precision_scope scope(decimal_digits(bits));
-    std::vector<std::vector<mpfr>> all;
+    std::vector<std::size_t> tracks;
     for (const auto& fit : family.fits) {
-        if (fit.exact && all.size() < 3) {
-            const auto& track = family.tracks[fit.track];
-            const int length = std::min(family.order, track.degree + 110);
-            if (const auto relation = relation_of(family.scaled, track, length, bits)) {
-                all.push_back(continued_by(*relation, family.scaled, family.order, count));
-            }
+        if (fit.exact) {
+            tracks.push_back(fit.track);
+        }
+    }
+    for (const std::size_t each : tracks.empty() ? root.tracks : std::vector<std::size_t>()) {
+        if (std::ranges::find(tracks, each) == tracks.end()) {
+            tracks.push_back(each);
+        }
+    }
+    tracks.resize(std::min<std::size_t>(tracks.size(), 3));
+    std::vector<std::vector<mpfr>> all;
+    for (const std::size_t each : tracks) {
+        const auto& track = family.tracks[each];
+        const int length = std::min(family.order, track.degree + 110);
+        if (const auto relation = relation_of(family.scaled, track, length, bits)) {
+            all.push_back(continued_by(*relation, family.scaled, family.order, count));
         }
     }
     if (all.size() < 2) {
         return {};
     }
-    const auto first = static_cast<std::size_t>(family.order) + 1;
+    const std::size_t first = family.scaled.size();
     std::size_t end = first;
     const auto agree = [&](std::size_t i) {
         return std::ranges::all_of(all, [&](const auto& each) {
@@ -124,9 +135,10 @@ std::vector<mpfr> continuation(const approximant_family& family, int count) {
     return {all[0].begin() + static_cast<std::ptrdiff_t>(first), all[0].begin() + static_cast<std::ptrdiff_t>(end)};
 }
 
-// Whether the list continued by its exact equation falls as for the singularity at `next` (none: faster than any)
-// rather than as for one at `root`: the solution is regular at `root`.
-bool is_apparent(const approximant_family& family, const root_consensus& root, const root_consensus* next) {
+// Whether the list continued by the equations of the sharpest place falls as for the singularity at `next` (none: faster
+// than any) rather than as for one at `root`: the solution is regular at `root`.
+bool is_apparent(const approximant_family& family, const root_consensus& root, const root_consensus* next,
+                 const root_consensus& sharpest) {
     const double y = std::log2(root.modulus());
     const double ratio = next == nullptr ? 0 : std::log2(next->modulus()) - y;
     if (next != nullptr && ratio < 0.02) {
@@ -134,13 +146,13 @@ bool is_apparent(const approximant_family& family, const root_consensus& root, c
     }
     const int n = family.order;
     const int asked = next == nullptr ? 2 * n : std::min(2000, std::max(2 * n, static_cast<int>(60 / ratio)));
-    const auto ahead = continuation(family, asked);
+    const auto ahead = continuation(family, sharpest, asked);
     const int w = std::max(6, n / 8);
     const auto m = static_cast<int>(ahead.size());
     if (m < 3 * w) {
         return false;
     }
-    const auto ends = static_cast<std::size_t>(m);
+    const auto ends = ahead.size();
     const auto window = static_cast<std::size_t>(w);
     const double growth = std::log2(static_cast<double>(n + m) / (n + w / 2.0));
     const double fall =
@@ -149,7 +161,9 @@ bool is_apparent(const approximant_family& family, const root_consensus& root, c
     const double regular =
         next == nullptr ? singular - 60
                         : -(std::clamp(next->exponent.value.convert_to<double>(), -9.0, 9.0) + 1) * growth - m * ratio;
-    return singular - regular > 8 && fall < (singular + regular) / 2;
+    // What is much blunter than a place further out is hardly singular: less is asked.
+    const double gap = width_of(root) > 1e6 * width_of(sharpest) ? 2 : 8;
+    return singular - regular > gap && fall < (singular + regular) / 2;
 }
 
 // Whether b lies at the angle of a multiple of 30 degrees from a, but not at a.
@@ -196,8 +210,7 @@ singularity_kind kind_alone(const root_cluster& cluster, std::size_t at) {
         return singularity_kind::confluent;
     }
     const double nearest = std::round(t);
-    const mpfr away = abs(mpfr(exponent - mpfr(nearest)));
-    if (uncertainty < 0.05 && away <= std::max(uncertainty, 1e-12)) {
+    if (uncertainty < 0.05 && abs(mpfr(exponent - mpfr(nearest))) <= std::max(uncertainty, 1e-12)) {
         return nearest < 0        ? singularity_kind::pole
                : found.type == 11 ? singularity_kind::logarithm
                                   : singularity_kind::unknown;
@@ -284,10 +297,18 @@ std::vector<const root_cluster*> strong_clusters(const approximant_family& famil
     }
     std::ranges::stable_sort(strong, {}, [](const auto* each) { return each->now().modulus(); });
     const auto may_be_apparent = [](const root_consensus& at) {
-        return at.exact && at.is_regular_type() && std::abs(at.exponent.value.convert_to<double>()) < 9;
+        const double t = at.exponent.value.convert_to<double>();
+        const double width = std::max({at.exponent.spread, at.exponent.step, std::abs(t - std::round(t))});
+        const bool is_power = t > -0.5 && width < 0.02;
+        return (at.exact || (is_power && !at.assumed)) && at.is_regular_type() && std::abs(t) < 9;
     };
-    while (!strong.empty() && may_be_apparent(strong.front()->now()) &&
-           is_apparent(family, strong.front()->now(), strong.size() > 1 ? &strong[1]->now() : nullptr)) {
+    const auto is_regular_point = [&](const root_consensus& first) {
+        const auto* const sharpest =
+            *std::ranges::min_element(strong, {}, [](const auto* each) { return width_of(each->now()); });
+        return may_be_apparent(first) &&
+               is_apparent(family, first, strong.size() > 1 ? &strong[1]->now() : nullptr, sharpest->now());
+    };
+    while (!strong.empty() && is_regular_point(strong.front()->now())) {
         strong.erase(strong.begin());
     }
     return strong;

@@ -40,8 +40,8 @@ std::pair<mpfr, double> exponent_at(const root_cluster& cluster, std::size_t at)
 singularity_kind kind_at(const root_cluster& cluster, std::size_t at);
 
 /// Clusters that count, nearest first: with a share of at least `least`, or of 4 and the same position at the last four
-/// lengths; without those roots of an exact equation where the list, continued by the equation, does not grow as a
-/// singularity there requires.
+/// lengths; without those of an exact equation, or with an exponent 0, 1, .., where the list, continued by the equations,
+/// does not grow as a singularity there requires.
 std::vector<const root_cluster*> strong_clusters(const approximant_family& family,
                                                  const std::vector<root_cluster>& clusters, double least = 10);
 

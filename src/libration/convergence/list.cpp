@@ -106,18 +106,25 @@ std::optional<size_growth> size_growth_of(std::span<const mpfr> b) {
 }
 
 mpfr level_unit(std::span<const mpfr> b) {
-    const auto points = sizes_from(b, std::max<std::size_t>(1, (b.size() - 1) / 2));
+    // In logarithms; a class of coefficients that falls much faster, as the even ones of tan(x) + exp(x^2), says nothing.
+    constexpr double far_below = 12;
+    auto points = sizes_from(b, std::max<std::size_t>(1, (b.size() - 1) / 2));
     double slope = 0;
-    if (points.size() >= 2) {
+    bool settled = false;
+    while (points.size() >= 2 && !settled) {
         std::vector<std::vector<double>> rows;
         std::vector<double> y;
         for (const auto& p : points) {
             rows.push_back({1, p.k});
             y.push_back(p.log);
         }
-        if (const auto c = least_squares(rows, y)) {
-            slope = (*c)[1];
+        const auto c = least_squares(rows, y);
+        if (!c) {
+            break;
         }
+        slope = (*c)[1];
+        const auto below = [&](const measured_size& p) { return p.log < (*c)[0] + slope * p.k - far_below; };
+        settled = std::erase_if(points, below) == 0;
     }
     const precision_scope scope(20);
     mpfr unit = exp(mpfr(-slope));

@@ -1,7 +1,10 @@
 #include "recurring_roots.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace libration::convergence {
 
@@ -11,8 +14,9 @@ constexpr std::size_t fewest_fits = 3;
 
 using rows_of_places = std::vector<std::vector<std::complex<double>>>;
 
-// The roots of each fit at N, N - 1 and N - 2 that has any; only of the exact ones if there are three.
-rows_of_places last_roots(const approximant_family& family) {
+// The roots of each fit at N, N - 1 and N - 2 that has any, of all multiplicities that they may be read with or of 1; only
+// of the exact fits if there are three.
+rows_of_places last_roots(const approximant_family& family, bool simple_only = false) {
     rows_of_places all;
     rows_of_places exact;
     for (const auto& fit : family.fits) {
@@ -21,8 +25,9 @@ rows_of_places last_roots(const approximant_family& family) {
         }
         std::vector<std::complex<double>> places;
         for (const auto& root : fit.roots) {
-            places.push_back(
-                std::complex<double>(root.position.re.convert_to<double>(), root.position.im.convert_to<double>()));
+            if (!simple_only || root.multiplicity == 1) {
+                places.emplace_back(root.position.re.convert_to<double>(), root.position.im.convert_to<double>());
+            }
         }
         if (fit.exact) {
             exact.push_back(places);
@@ -38,6 +43,36 @@ double nearest_distance(const std::vector<std::complex<double>>& places, const s
         best = std::min(best, std::abs(place - z));
     }
     return best;
+}
+
+// Two places within the territory of one at which a fifth of the fits have roots, to a twentieth of their distance.
+std::optional<std::pair<recurring_root, recurring_root>> parts_of(const recurring_root& place, double territory,
+                                                                  const rows_of_places& fits) {
+    constexpr double close = 0.05;
+    const std::size_t asked = std::max<std::size_t>(4, fits.size() / 5);
+    rows_of_places near;
+    for (const auto& places : fits) {
+        auto& here = near.emplace_back();
+        std::ranges::copy_if(places, std::back_inserter(here),
+                             [&](const auto& z) { return std::abs(z - place.at) < territory; });
+        if (here.size() < 2) {
+            near.pop_back();
+        }
+    }
+    for (const auto& here : near) {
+        for (std::size_t i = 0; i < here.size(); ++i) {
+            for (std::size_t k = i + 1; k < here.size(); ++k) {
+                const double reach = close * std::abs(here[i] - here[k]);
+                const auto agreeing = static_cast<std::size_t>(std::ranges::count_if(near, [&](const auto& other) {
+                    return nearest_distance(other, here[i]) < reach && nearest_distance(other, here[k]) < reach;
+                }));
+                if (agreeing >= asked) {
+                    return std::pair{recurring_root{here[i], reach}, recurring_root{here[k], reach}};
+                }
+            }
+        }
+    }
+    return std::nullopt;
 }
 
 }  // namespace
@@ -81,7 +116,17 @@ std::vector<recurring_root> recurring_roots(const approximant_family& family) {
             found.push_back({each.at, d});
         }
     }
-    return found;
+    const rows_of_places simple = last_roots(family, true);
+    std::vector<recurring_root> divided;
+    for (const auto& each : found) {
+        if (const auto parts = parts_of(each, territory_of(each, found), simple)) {
+            divided.push_back(parts->first);
+            divided.push_back(parts->second);
+        } else {
+            divided.push_back(each);
+        }
+    }
+    return divided;
 }
 
 double territory_of(const recurring_root& cluster, const std::vector<recurring_root>& all) {

@@ -15,7 +15,7 @@ struct recurring_root {
 };
 
 /// The roots of the fits at N, N - 1 and N - 2 that recur to 6 %, the sharpest first and at most twelve; of exact equations
-/// alone if there are three.
+/// alone if there are three. Two that many fits tell apart, though others see them as one, are two.
 std::vector<recurring_root> recurring_roots(const approximant_family& family);
 
 /// How far the votes for a root may lie from it: 0.4 of the distance to the next one, its conjugate included.

@@ -30,6 +30,7 @@ struct voter {
     double exponent_step;
     const differential_root* root;
     bool exact;
+    std::size_t track;
 };
 
 // The types of roots of a fit near a place, and the nearest root of each; of an exact equation the single one that the
@@ -81,7 +82,7 @@ std::vector<voter> voters_at(const approximant_family& family, int length, const
     for (const auto& [track, by_length] : by_track) {
         const auto& [root, exact] = by_length.rbegin()->second;
         if (exact) {
-            voters.push_back({finest_step, finest_step, root, true});
+            voters.push_back({finest_step, finest_step, root, true, track.first});
         } else if (by_length.size() == 3) {
             const auto* const before = by_length.at(length - 1).first;
             const auto* const first = by_length.at(length - 2).first;
@@ -89,7 +90,7 @@ std::vector<voter> voters_at(const approximant_family& family, int length, const
                                                                      distance(before->position, first->position))),
                               root_mean_square(distance(root->exponent.re, before->exponent.re),
                                                distance(before->exponent.re, first->exponent.re)),
-                              root, false});
+                              root, false, track.first});
         }
     }
     std::ranges::stable_sort(voters, {}, &voter::step);
@@ -300,6 +301,9 @@ std::optional<root_consensus> consensus_at(const approximant_family& family, int
     found.step = median(steps);
     found.share = std::exp(log_share);
     found.exact = std::ranges::any_of(top, &voter::exact);
+    for (const auto& each : top) {
+        found.tracks.push_back(each.track);
+    }
     add_exponents(found, top, members);
     add_members(found, members);
     return found;
