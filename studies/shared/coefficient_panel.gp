@@ -2,7 +2,7 @@
 # are the tables of a list; `of_list` is the condition of the list's rows in `tests`; `named` is its name or '',
 # `pade_order` a remark about the approximant. After it: the settings of a panel by eval ratios_panel (the Domb-Sykes
 # plot, for a pair of singularities in the form of Mercer and Roberts), roots_panel or poles_panel. The line through the
-# ratios is that of the plot's own test, else that of the verdict.
+# ratios is that of the verdict, or of the plot's own test if the verdict has no exponent.
 #
 # With n to the right the plots would crowd the end of interest: they are drawn against 1/n, from n = 4 on.
 load scripts.'/shared/ratio_fit.gp'
@@ -16,7 +16,8 @@ known_radius = strlen(v_radius) > 0
 size_of_radius = known_radius ? number(v_radius) : 0
 level = fit_of(p_left, v_radius, v_position_re, v_position_im, v_count)
 of_pair = known_radius && level != level
-fitted_by = of_pair ? 'mercer-roberts' : 'domb-sykes'
+eval test_cell('fit_exponent', 'verdict', 'exponent')
+fitted_by = strlen(fit_exponent) ? 'verdict' : of_pair ? 'mercer-roberts' : 'domb-sykes'
 eval test_cell('fit_radius', fitted_by, 'radius')
 if (fit_radius eq '') { fitted_by = 'verdict'; fit_radius = v_radius }
 eval test_cell('fit_error', fitted_by, 'uncertainty')

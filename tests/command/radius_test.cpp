@@ -20,7 +20,7 @@ namespace {
 const std::string header =
     "method,radius,uncertainty,exact,relative_error,position_re,position_im,kind,count,note,exponent,"
     "exponent_uncertainty,rigour,bound,gevrey,action,action_uncertainty,suspect,suspect_predicted,suspect_uncertainty,"
-    "prediction";
+    "prediction,amplitude,amplitude_uncertainty";
 
 // T* and K~' of an energy to 80 digits.
 singularity_lattice<mpfr> lattice_of(const std::string& energy) {

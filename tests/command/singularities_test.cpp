@@ -105,9 +105,22 @@ TEST_CASE("bounds of a radius are printed outwards", "[command][singularity]") {
     CHECK(mpfr(7) / 3 <= upper);
     CHECK(upper - lower < lower * mpfr("1e-20"));
     CHECK(rows.front().at("rigour") == "proved");
+    const mpfr error = abs(number_of(rows.front().at("verdict")) - mpfr(7) / 3);
+    CHECK(error <= number_of(rows.front().at("verdict_uncertainty")));
+    CHECK(rows.front().at("judgement") == "holds");
     const auto entire = rows_of({"radius", "--problem", "y'' = -t*y; y(0) = 1; y'(0) = 0", "--prove"});
     CHECK(entire.front().at("lower") == "inf");
     CHECK(entire.front().at("upper") == "inf");
+    CHECK(entire.front().at("verdict") == "inf");
+    CHECK(entire.front().at("judgement") == "holds");
+}
+
+TEST_CASE("a proved map judges the verdict on the coefficients", "[command][singularity]") {
+    const std::string text = output_of({"singularities", "--problem", "y' = y^2; y(0) = 3/7", "--prove"});
+    CHECK_THAT(text, Catch::Contains("heuristic  2.33333333333") &&
+                         Catch::Contains("from the coefficients up to t^100: holds"));
+    CHECK_THAT(output_of({"radius", "--problem", "y' = y^2; y(0) = 3/7", "--prove"}),
+               Catch::Contains("heuristic  2.33333333333") && Catch::Contains(": holds"));
 }
 
 // (1 + t^2/3)^(-1/2), whose equation is singular at the initial point.

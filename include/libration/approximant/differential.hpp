@@ -34,8 +34,7 @@ struct differential_track {
 /// A fitted equation: Q_k = sum_j q[k][j] x^j, k = 0 .. M, with q[M][0] = 1.
 struct differential_relation {
     differential_track track;
-    bool exact =
-        false;  ///< satisfied by at least three more coefficients than it has unknowns, to its working precision
+    bool exact = false;  ///< satisfied by more coefficients than it has unknowns, to its working precision
     std::vector<std::vector<mpfr>> q;
 };
 
@@ -81,15 +80,16 @@ inline void run_in_order(std::size_t count, const std::function<void(std::size_t
 }
 
 /// The fits of all tracks to a_0 .. a_n for each n in `lengths` (ascending) for which the system is regular and has at
-/// least five unknowns; an exact equation is one fit of the whole list. Systems have at most 110 unknowns: an equation
+/// least five unknowns. An equation that is fitted to all coefficients but the last three and satisfied by these, to the
+/// working precision, is exact, and one fit of the whole list. Systems have at most 110 unknowns: an equation
 /// that is exact so far is tested on the remaining coefficients by its recurrence. The list should be scaled to a radius
 /// of about 1. Linear algebra in `bits` bits, roots in 320. A task of `run` is a track of U unknowns, O(U^3/3) products.
 std::vector<differential_fit> differential_fits(std::span<const mpfr> a, std::span<const differential_track> tracks,
                                                 std::span<const int> lengths, root_annulus within, long bits,
                                                 const task_runner& run = run_in_order);
 
-/// The equation of a track from a_0 .. a_length, in `bits` bits; std::nullopt if there are fewer than five unknowns or
-/// more than 110, or if the system is singular without an exact equation.
+/// The equation of a track from a_0 .. a_length, in `bits` bits, or from all of these but three if it satisfies these
+/// three and so is exact; std::nullopt if there are fewer than five unknowns or more than 110, or no solution.
 std::optional<differential_relation> relation_of(std::span<const mpfr> a, const differential_track& track, int length,
                                                  long bits);
 

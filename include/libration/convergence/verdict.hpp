@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "libration/convergence/coefficient_pattern.hpp"
@@ -30,6 +31,11 @@ struct ring_member {
     std::optional<mpfr> exponent = std::nullopt;
     mpfr exponent_uncertainty = mpfr(0);
     singularity_kind kind = singularity_kind::unknown;
+};
+
+/// An exponent or another number, and its uncertainty.
+struct exponent_estimate {
+    mpfr value, uncertainty;
 };
 
 /// The radius from the coefficients up to `order` alone.
@@ -58,6 +64,9 @@ struct list_verdict {
     std::optional<complex_number<mpfr>> position = std::nullopt;  ///< of the singularity that gives the radius
     std::optional<mpfr> exponent = std::nullopt;
     mpfr exponent_uncertainty = mpfr(0);
+    /// A of A (1 - x/x0)^exponent, for a logarithm times log(1 - x/x0), if one real x0 is the only singularity on the circle
+    /// of the class of nonzero coefficients.
+    std::optional<exponent_estimate> amplitude = std::nullopt;
     std::optional<double> second_exponent = std::nullopt;
     double slope = 0;     ///< of the exponent against the relative position, over the family
     double residual = 0;  ///< of the exponents about the line of that slope
@@ -70,6 +79,8 @@ struct list_verdict {
     mpfr action_uncertainty = mpfr(0);
     std::optional<suspect_coefficient> suspect = std::nullopt;
     std::optional<double> prediction = std::nullopt;  ///< log10 of the relative error in a_N predicted from the others
+    /// (n, log10 of the relative error in a_n predicted from those before), as far as it is computed.
+    std::vector<std::pair<int, double>> predictions = {};
     std::vector<shorter_answer> history = {};
     std::vector<std::complex<double>> family = {};  ///< (position, exponent) of the fits that agree, if both are real
     int used = 0;                                   ///< the last coefficient that the radius is based on
@@ -86,11 +97,6 @@ struct predicted_coefficient {
 /// a_(N+1) .. a_(N+count), as far as three tracks predict them; exactly 0 where the pattern of the list has a zero.
 std::vector<predicted_coefficient> predictions_for(const series_list& list, int count,
                                                    const task_runner& run = run_in_order);
-
-/// An exponent and its uncertainty.
-struct exponent_estimate {
-    mpfr value, uncertainty;
-};
 
 /// The exponent if the singularity on the real axis is known to be at x: the value of the line through the exponents of
 /// the family against their positions; std::nullopt if the verdict has no exponent at a real position.

@@ -37,6 +37,7 @@ struct root_consensus {
     int type = 11;                                           ///< most frequent type of root among the top
     bool irregular = false;
     std::vector<std::size_t> tracks = {};            ///< of the top voters, the sharpest first
+    int orders = 0;                                  ///< M of equations that occur among the members
     int agreeing = 0;                                ///< number of members
     double slope = 0;                                ///< of the exponent against the position, over the members
     double residual = 0;                             ///< median distance of their exponents from the line of that slope

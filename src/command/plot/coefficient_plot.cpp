@@ -26,6 +26,28 @@ void require_drawable(const unknown_series& of) {
     }
 }
 
+// The row of the verdict on an unknown.
+const std::vector<answer_value>& verdict_on(const answer& found, const std::string& unknown) {
+    const auto at = std::ranges::find(found.names, "unknown") - found.names.begin();
+    const auto is_verdict = [&](const auto& row) {
+        return row.front().text == "verdict" &&
+               (at == std::ssize(found.names) || row[static_cast<std::size_t>(at)].text == unknown);
+    };
+    return *std::ranges::find_if(found.rows, is_verdict);
+}
+
+// The lists of the verdict with more than one row, as tables NAME_K.csv.
+void add_lists(figure_content& content, const answer& found, const std::string& unknown, std::size_t k) {
+    const auto& row = verdict_on(found, unknown);
+    for (const std::string name : {"history", "fits", "predictions"}) {
+        const auto at = static_cast<std::size_t>(std::ranges::find(found.names, name) - found.names.begin());
+        const table list = table_of_list(cell::list(row[at].text));
+        if (list.rows().size() > 1) {
+            content.tables.push_back({fmt::format("{}_{}.csv", name, k), to_csv(list)});
+        }
+    }
+}
+
 series::power_series<mpfr> first_of(const series::power_series<mpfr>& a) {
     return a.truncated(std::min(a.order(), most_for_poles));
 }
@@ -44,6 +66,7 @@ figure_content coefficient_plot(const std::vector<unknown_series>& unknowns, con
         content.tables.push_back({fmt::format("ratios_{}.csv", i + 1), to_csv(ratios_of(each.coefficients(), digits))});
         content.tables.push_back(
             {fmt::format("poles_{}.csv", i + 1), to_csv(poles_of(first_of(each.coefficients()), digits))});
+        add_lists(content, found, each.name, i + 1);
     }
     const std::string more =
         unknowns.size() > count ? fmt::format("; the first {} of {} unknowns", count, unknowns.size()) : "";

@@ -18,6 +18,7 @@
 #include "problem/list_audit.hpp"
 #include "problem/point_options.hpp"
 #include "problem/solution_options.hpp"
+#include "problem/verdict_judgement.hpp"
 #include "run/ending_signal.hpp"
 #include "run/parallel.hpp"
 #include "run/progress.hpp"
@@ -161,7 +162,7 @@ void write_results(const output_options& output, const answer& found, const tabl
     }
 }
 
-// Lower and upper bound, by discs and loops instead of coefficients.
+// Lower and upper bound, by discs and loops instead of coefficients, and what they say of the verdict on the coefficients.
 int prove_radius(const radius_options& options) {
     const long digits = options.arithmetic.choose().digits;
     const chosen_solution chosen = options.of.choose(options.arithmetic);
@@ -172,14 +173,25 @@ int prove_radius(const radius_options& options) {
             check_time();
         }};
     const answer found = chosen.of->radius(series_request{}, how);
-    table data({{"lower", ""}, {"upper", ""}, {"digits", ""}, {"rigour", ""}});
-    data.add_row({number_cell(found.at(0, "lower")), number_cell(found.at(0, "upper")), digits, found.rigour});
+    const std::string lower = found.at(0, "lower");
+    const std::string upper = found.at(0, "upper");
+    const auto judged =
+        judge_verdict(*chosen.of, digits, lower, upper.empty() ? std::nullopt : std::optional(upper), on_all_cores());
+    table data({{"lower", ""},
+                {"upper", ""},
+                {"digits", ""},
+                {"rigour", ""},
+                {"verdict", "heuristic radius, from the coefficients"},
+                {"verdict_uncertainty", ""},
+                {"judgement", "of the verdict by the bounds: holds | consistent | contradicted | none"}});
+    data.add_row({number_cell(lower), number_cell(upper), digits, found.rigour, number_cell(judged.radius),
+                  number_cell(judged.uncertainty), judged.judgement});
     std::string text;
     for (const answer_note& each : found.notes) {
         text += fmt::format("{}  {}  {}: {}\n", each.name, found.at(0, each.name == "upper" ? "upper" : "lower"),
                             found.rigour, each.text);
     }
-    options.output.write(data, text);
+    options.output.write(data, text + judged.text() + "\n");
     if (found.missing) {
         throw error(*found.missing);
     }

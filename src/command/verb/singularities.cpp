@@ -12,6 +12,7 @@
 #include "plot/singularity_plot.hpp"
 #include "problem/answer_table.hpp"
 #include "problem/problem_options.hpp"
+#include "problem/verdict_judgement.hpp"
 #include "run/ending_signal.hpp"
 #include "run/progress.hpp"
 #include "text/input_error.hpp"
@@ -112,6 +113,19 @@ answer singularities_of(const singularities_options& options, const solution& of
     }
 }
 
+// What a proved radius says of the verdict on the coefficients.
+std::string judgement_for(const solution& of, long digits) {
+    try {
+        const auto bounds = of.radius(series_request{}, {.scalar = {scalar_kind::proved, digits}});
+        const std::string upper = bounds.at(0, "upper");
+        return judge_verdict(of, digits, bounds.at(0, "lower"), upper.empty() ? std::nullopt : std::optional(upper))
+                   .text() +
+               "\n";
+    } catch (const error& problem) {
+        return std::string("heuristic verdict not judged: ") + problem.what() + "\n";
+    }
+}
+
 int run_singularities(const singularities_options& options) {
     options.output.check();
     const auto figure = options.plot.file(options.output);
@@ -125,7 +139,9 @@ int run_singularities(const singularities_options& options) {
     if (figure) {
         figure->draw(singularity_plot(data, initial_point_of(options.problem), options.problem.name()));
     }
-    table_output(options.output, figure).write(data, text_of(data, found));
+    const bool is_judged = options.prove && options.output.format() == "text";
+    table_output(options.output, figure)
+        .write(data, text_of(data, found) + (is_judged ? judgement_for(*of, digits) : ""));
     if (found.missing) {
         const std::string subject =
             found.missing->is_about(error_subject::proof) ? "--prove" : found.missing->subject();

@@ -58,7 +58,10 @@ libration_table table_of_radii(const answer& found, const std::string& usual) {
                                                    {"action", "action"},
                                                    {"suspect", "suspect"},
                                                    {"history", "history"},
-                                                   {"ring", "ring"}};
+                                                   {"ring", "ring"},
+                                                   {"amplitude", "amplitude", "amplitude_uncertainty"},
+                                                   {"fits", "fits"},
+                                                   {"predictions", "predictions"}};
     libration_table table{{"method", "unknown"}, {}};
     std::ranges::transform(columns, std::back_inserter(table.names), &shown_column::name);
     const std::size_t unknown = place_of(found, "unknown");

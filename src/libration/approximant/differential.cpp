@@ -14,6 +14,7 @@ namespace {
 
 constexpr int fewest_unknowns = 5;
 constexpr int most_unknowns = 110;
+constexpr int confirming = 3;  // coefficients that an exact equation was not fitted to
 
 // log10 |p/a - 1|, at least that of the precision.
 std::optional<double> log_error(const mpfr& predicted, const mpfr& actual, long bits) {
@@ -52,9 +53,10 @@ public:
         while (system_.length() < system_.last()) {
             const bool regular = system_.add();
             const bool asked = std::ranges::binary_search(lengths_, system_.length());
-            if (system_.length() == system_.last() && system_.is_exact()) {
-                add_exact();
-            } else if (regular && asked && system_.unknowns() >= fewest_unknowns) {
+            if (system_.length() == last_of_exact() && add_exact()) {
+                break;
+            }
+            if (regular && asked && system_.unknowns() >= fewest_unknowns) {
                 add_fit();
             }
         }
@@ -73,13 +75,17 @@ private:
         fits_.push_back(std::move(fit));
     }
 
-    void add_exact() {
-        const differential_relation relation = system_.relation();
-        if (satisfied_by_rest(relation, a_, system_.length(), bits_)) {
+    int last_of_exact() const { return std::min(last_ - confirming, system_.last()); }
+
+    bool add_exact() {
+        differential_relation relation = system_.relation();
+        relation.exact = satisfied_by_rest(relation, a_, system_.length(), bits_);
+        if (relation.exact) {
             const root_annulus wider{0.3 * within_.inner, 3 * within_.outer};
             fits_.push_back(
                 {.track = index_, .length = last_, .exact = true, .roots = roots_of_equation(relation, wider)});
         }
+        return relation.exact;
     }
 
     std::span<const mpfr> a_;
@@ -119,11 +125,18 @@ std::optional<differential_relation> relation_of(std::span<const mpfr> a, const 
     }
     const precision_scope scope(decimal_digits(bits));
     differential_system system(a, track, length);
-    bool regular = false;
     while (system.length() < length) {
-        regular = system.add();
+        system.add();
+        if (system.length() == length - confirming) {
+            differential_relation relation = system.relation();
+            relation.exact =
+                satisfied_by_rest(relation, a.first(static_cast<std::size_t>(length) + 1), system.length(), bits);
+            if (relation.exact) {
+                return relation;
+            }
+        }
     }
-    return regular || system.is_exact() ? std::optional(system.relation()) : std::nullopt;
+    return system.is_consistent() ? std::optional(system.relation()) : std::nullopt;
 }
 
 std::vector<mpfr> continued_by(const differential_relation& relation, std::span<const mpfr> a, int length, int count) {

@@ -169,11 +169,10 @@ void differential_system::add_pivot(equation&& row, std::size_t column) {
     ++pivots_;
 }
 
-bool differential_system::is_exact() const {
-    constexpr std::size_t fewest = 3;
-    return pending_.size() >= fewest && std::ranges::all_of(pending_, [&](const equation& row) {
-               return row.entries.back() == 0 || row.size - binary_exponent(row.entries.back()) > threshold_;
-           });
+bool differential_system::is_consistent() const {
+    return std::ranges::all_of(pending_, [&](const equation& row) {
+        return row.entries.back() == 0 || row.size - binary_exponent(row.entries.back()) > threshold_;
+    });
 }
 
 differential_relation differential_system::relation() const {
@@ -182,7 +181,7 @@ differential_relation differential_system::relation() const {
         const mpfr* const row = reduced_.data() + i * width();
         x[i] = row[width() - 1] - inner_product(row + i + 1, 1, x.data() + i + 1, 1, static_cast<int>(pivots_ - i - 1));
     }
-    differential_relation found{track_, !pending_.empty(), {}};
+    differential_relation found{track_, false, {}};
     found.q.resize(static_cast<std::size_t>(track_.order) + 1);
     found.q.back().emplace_back(1);
     const mpfr whole(std::max(1, static_cast<int>(a_.size()) - 1));

@@ -37,8 +37,8 @@ public:
     int length() const { return track_.degree + unknowns_; }
     int unknowns() const { return unknowns_; }
 
-    /// At least three equations are pending, and their right-hand sides vanish as well.
-    bool is_exact() const;
+    /// The right-hand sides of the equations that are pending vanish, too.
+    bool is_consistent() const;
 
     /// The solution, 0 for the unknowns without a pivot.
     differential_relation relation() const;

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "apparent_root.hpp"
+
 namespace libration::convergence {
 
 namespace {
@@ -55,11 +57,6 @@ std::optional<double> drift_of(const root_cluster& cluster, std::size_t at, cons
 
 double moved(const root_consensus& a, const root_consensus& b) { return a.distance_to(b) / a.modulus(); }
 
-// Relative: spread and step, without the drift.
-double width_of(const root_consensus& consensus) {
-    return std::max({consensus.spread, consensus.step, finest_width}) / consensus.modulus();
-}
-
 // The last four lengths agree within four times their widths and drifts, the last one to a hundredth.
 bool is_persistent(const root_cluster& cluster) {
     constexpr std::size_t count = 4;
@@ -83,87 +80,6 @@ bool is_persistent(const root_cluster& cluster) {
         }
     }
     return last < 0.01 * cluster.now().modulus();
-}
-
-// log2 of the largest of some coefficients.
-double log2_largest(const std::vector<mpfr>& values, std::size_t first, std::size_t end) {
-    double largest = -1e9;
-    for (std::size_t i = first; i < end; ++i) {
-        largest = std::max(largest, log_size(values[i]) / std::numbers::ln2);
-    }
-    return largest;
-}
-
-// The list continued by up to three equations, exact ones or else the sharpest of those that agree on a root, as far as
-// they agree to 10^-6; empty if there is only one.
-std::vector<mpfr> continuation(const approximant_family& family, const root_consensus& root, int count) {
-    const long bits = bits_for(family.order);
-    const precision_scope scope(decimal_digits(bits));
-    std::vector<std::size_t> tracks;
-    for (const auto& fit : family.fits) {
-        if (fit.exact) {
-            tracks.push_back(fit.track);
-        }
-    }
-    for (const std::size_t each : tracks.empty() ? root.tracks : std::vector<std::size_t>()) {
-        if (std::ranges::find(tracks, each) == tracks.end()) {
-            tracks.push_back(each);
-        }
-    }
-    tracks.resize(std::min<std::size_t>(tracks.size(), 3));
-    std::vector<std::vector<mpfr>> all;
-    for (const std::size_t each : tracks) {
-        const auto& track = family.tracks[each];
-        const int length = std::min(family.order, track.degree + 110);
-        if (const auto relation = relation_of(family.scaled, track, length, bits)) {
-            all.push_back(continued_by(*relation, family.scaled, family.order, count));
-        }
-    }
-    if (all.size() < 2) {
-        return {};
-    }
-    const std::size_t first = family.scaled.size();
-    std::size_t end = first;
-    const auto agree = [&](std::size_t i) {
-        return std::ranges::all_of(all, [&](const auto& each) {
-            return isfinite(each[i]) && abs(each[i] - all[0][i]) <= abs(all[0][i]) / 1'000'000;
-        });
-    };
-    while (end < all[0].size() && agree(end)) {
-        ++end;
-    }
-    return {all[0].begin() + static_cast<std::ptrdiff_t>(first), all[0].begin() + static_cast<std::ptrdiff_t>(end)};
-}
-
-// Whether the list continued by the equations of the sharpest place falls as for the singularity at `next` (none: faster
-// than any) rather than as for one at `root`: the solution is regular at `root`.
-bool is_apparent(const approximant_family& family, const root_consensus& root, const root_consensus* next,
-                 const root_consensus& sharpest) {
-    const double y = std::log2(root.modulus());
-    const double ratio = next == nullptr ? 0 : std::log2(next->modulus()) - y;
-    if (next != nullptr && ratio < 0.02) {
-        return false;
-    }
-    const int n = family.order;
-    const int asked = next == nullptr ? 2 * n : std::min(2000, std::max(2 * n, static_cast<int>(60 / ratio)));
-    const auto ahead = continuation(family, sharpest, asked);
-    const int w = std::max(6, n / 8);
-    const auto m = static_cast<int>(ahead.size());
-    if (m < 3 * w) {
-        return false;
-    }
-    const auto ends = ahead.size();
-    const auto window = static_cast<std::size_t>(w);
-    const double growth = std::log2(static_cast<double>(n + m) / (n + w / 2.0));
-    const double fall =
-        log2_largest(ahead, ends - window, ends) + (n + m) * y - log2_largest(ahead, 0, window) - (n + w / 2.0) * y;
-    const double singular = -(root.exponent.value.convert_to<double>() + 1) * growth;
-    const double regular =
-        next == nullptr ? singular - 60
-                        : -(std::clamp(next->exponent.value.convert_to<double>(), -9.0, 9.0) + 1) * growth - m * ratio;
-    // What is much blunter than a place further out is hardly singular: less is asked.
-    const double gap = width_of(root) > 1e6 * width_of(sharpest) ? 2 : 8;
-    return singular - regular > gap && fall < (singular + regular) / 2;
 }
 
 // Whether b lies at the angle of a multiple of 30 degrees from a, but not at a.
@@ -219,6 +135,10 @@ singularity_kind kind_alone(const root_cluster& cluster, std::size_t at) {
 }
 
 }  // namespace
+
+double width_of(const root_consensus& consensus) {
+    return std::max({consensus.spread, consensus.step, finest_width}) / consensus.modulus();
+}
 
 double position_uncertainty(const root_cluster& cluster, std::size_t at) {
     const root_consensus& found = *cluster.history[at];
@@ -296,19 +216,7 @@ std::vector<const root_cluster*> strong_clusters(const approximant_family& famil
         }
     }
     std::ranges::stable_sort(strong, {}, [](const auto* each) { return each->now().modulus(); });
-    const auto may_be_apparent = [](const root_consensus& at) {
-        const double t = at.exponent.value.convert_to<double>();
-        const double width = std::max({at.exponent.spread, at.exponent.step, std::abs(t - std::round(t))});
-        const bool is_power = t > -0.5 && width < 0.02;
-        return (at.exact || (is_power && !at.assumed)) && at.is_regular_type() && std::abs(t) < 9;
-    };
-    const auto is_regular_point = [&](const root_consensus& first) {
-        const auto* const sharpest =
-            *std::ranges::min_element(strong, {}, [](const auto* each) { return width_of(each->now()); });
-        return may_be_apparent(first) &&
-               is_apparent(family, first, strong.size() > 1 ? &strong[1]->now() : nullptr, sharpest->now());
-    };
-    while (!strong.empty() && is_regular_point(strong.front()->now())) {
+    while (!strong.empty() && is_regular_point(family, strong)) {
         strong.erase(strong.begin());
     }
     return strong;
@@ -339,9 +247,12 @@ std::vector<placed_cluster> ring_of(const std::vector<const root_cluster*>& stro
 std::optional<double> doubtful_nearer(const approximant_family& family, const std::vector<root_cluster>& clusters,
                                       double below) {
     for (const auto* each : strong_clusters(family, clusters, 3)) {
-        const double width = width_of(each->now());
-        if (each->now().share < found_share && width < 0.01 && each->now().modulus() * (1 + 4 * width) < below) {
-            return each->now().modulus();
+        const root_consensus& now = each->now();
+        const double width = width_of(now);
+        const auto* const before = earlier_than(*each, each->history.size() - 1).before;
+        const bool stays = before == nullptr || before->distance_to(now) < 0.03 * now.modulus();
+        if (stays && now.share < found_share && width < 0.01 && now.modulus() * (1 + 4 * width) < below) {
+            return now.modulus();
         }
     }
     return std::nullopt;

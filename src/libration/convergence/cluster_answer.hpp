@@ -22,6 +22,9 @@ struct placed_cluster {
     double upper() const { return modulus() * (1 + uncertainty); }
 };
 
+/// Relative: the larger of spread and step, without the drift.
+double width_of(const root_consensus& consensus);
+
 /// The relative uncertainty of the consensus at one length: 8 times (20 for a share below 30) the largest of its spread,
 /// its step and its drift from shorter lengths, or 40 times the first two if there is no length of at most 0.93 of it.
 /// The factor is the calibrated one.
@@ -40,8 +43,7 @@ std::pair<mpfr, double> exponent_at(const root_cluster& cluster, std::size_t at)
 singularity_kind kind_at(const root_cluster& cluster, std::size_t at);
 
 /// Clusters that count, nearest first: with a share of at least `least`, or of 4 and the same position at the last four
-/// lengths; without those of an exact equation, or with an exponent 0, 1, .., where the list, continued by the equations,
-/// does not grow as a singularity there requires.
+/// lengths; without the nearest ones at which the list is regular (apparent_root.hpp).
 std::vector<const root_cluster*> strong_clusters(const approximant_family& family,
                                                  const std::vector<root_cluster>& clusters, double least = 10);
 
@@ -49,7 +51,8 @@ std::vector<const root_cluster*> strong_clusters(const approximant_family& famil
 /// reaches and whose angle to it is a multiple of 30 degrees.
 std::vector<placed_cluster> ring_of(const std::vector<const root_cluster*>& strong);
 
-/// A cluster with a share of 3 to 10 that would be nearer than `below` units, its modulus.
+/// The modulus of a cluster with a share of 3 to 10 that would be nearer than `below` units, and is at the same place, to
+/// 3 %, at the length before.
 std::optional<double> doubtful_nearer(const approximant_family& family, const std::vector<root_cluster>& clusters,
                                       double below);
 

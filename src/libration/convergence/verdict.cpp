@@ -5,7 +5,9 @@
 #include <memory>
 #include <utility>
 
+#include "amplitude.hpp"
 #include "cluster_answer.hpp"
+#include "examined_list.hpp"
 #include "hold_out.hpp"
 #include "libration/convergence/strided_series.hpp"
 #include "libration/scalar/decimal.hpp"
@@ -15,52 +17,9 @@ namespace libration::convergence {
 
 namespace {
 
-constexpr int fewest_coefficients = 12;
 constexpr int fewest_of_exact_list = 10;
 constexpr double finest_uncertainty = 1e-50;
 constexpr double strong_share = 10;
-
-// A family, its clusters, and those of them that count.
-struct examined_list {
-    approximant_family family;
-    std::vector<root_cluster> clusters;
-    std::vector<const root_cluster*> strong;
-};
-
-// Fewer than 12 coefficients show a singularity only if they satisfy an exact equation.
-std::unique_ptr<examined_list> examined(std::span<const mpfr> b, coefficient_class of, double noise,
-                                        const task_runner& run) {
-    auto found = std::make_unique<examined_list>();
-    const precision_scope scope(decimal_digits(bits_for(static_cast<int>(b.size()))));
-    found->family = family_of(b, of, run);
-    if (static_cast<int>(b.size()) >= fewest_coefficients || found->family.is_exact()) {
-        found->clusters = clusters_of(found->family);
-        for (auto& each : found->clusters) {
-            each.noise = noise;
-        }
-        found->strong = strong_clusters(found->family, found->clusters);
-    }
-    return found;
-}
-
-// The whole list, or the longest of its first 80, 62, 48, 37 and 28 % with a strong cluster; otherwise the whole list.
-std::unique_ptr<examined_list> examined_with_cuts(std::span<const mpfr> b, coefficient_class of, double noise,
-                                                  const task_runner& run) {
-    std::unique_ptr<examined_list> whole;
-    const double last = static_cast<double>(b.size()) - 1;
-    for (const double part : {1.0, 0.8, 0.62, 0.48, 0.37, 0.28}) {
-        const auto kept = static_cast<std::size_t>(std::lround(part * last)) + 1;
-        if (whole && kept < fewest_coefficients) {
-            break;
-        }
-        auto found = examined(b.first(kept), of, noise, run);
-        if (!found->strong.empty()) {
-            return found;
-        }
-        whole = whole ? std::move(whole) : std::move(found);
-    }
-    return whole;
-}
 
 class verdict_builder {
 public:
@@ -114,6 +73,9 @@ private:
         if (const auto at = errors.find(last); at != errors.end()) {
             found_.prediction = at->second;
         }
+        for (const auto& [k, error] : errors) {
+            found_.predictions.emplace_back(index_of(k), error);
+        }
         found_.suspect = find_suspect(b_, errors, run_);
         if (found_.suspect) {
             const int k = found_.suspect->index;
@@ -165,6 +127,7 @@ private:
             found_.second_exponent = lead.consensus().second;
         }
         found_.used = index_of(lead.consensus().length);
+        add_amplitude(lead, unit);
         add_history(*lead.of, unit);
         add_family(lead.consensus(), unit);
         widen_drifting(lead);
@@ -176,6 +139,23 @@ private:
                 found_.uncertainty = std::max(found_.uncertainty, mpfr(abs(*found_.radius - radius) * 11 / 10));
                 found_.note += "; doubtful nearer cluster at " + to_decimal(radius, 6);
             }
+        }
+    }
+
+    // f = x^first h(x^stride) ~ x0^first A stride^t (1 - x/x0)^t for h ~ A (1 - w/w0)^t.
+    void add_amplitude(const placed_cluster& lead, const mpfr& unit) {
+        const complex_number<mpfr>& at = lead.consensus().position;
+        if (found_.ring.size() > 1 || at.im != 0 || found_.position->im != 0 || !found_.exponent) {
+            return;
+        }
+        const mpfr w = at.re * unit;
+        const auto part = std::span<const mpfr>(b_).first(static_cast<std::size_t>(lead.consensus().length) + 1);
+        const auto h =
+            amplitude_of(part, {w, mpfr(abs(w) * lead.uncertainty)}, {*found_.exponent, found_.exponent_uncertainty},
+                         found_.kind == singularity_kind::logarithm);
+        if (h) {
+            const mpfr factor = pow(found_.position->re, class_.first) * pow(mpfr(class_.stride), *found_.exponent);
+            found_.amplitude = exponent_estimate{mpfr(h->value * factor), mpfr(h->uncertainty * abs(factor))};
         }
     }
 
@@ -287,6 +267,7 @@ private:
         none.pattern = found_.pattern;
         none.suspect = std::move(found_.suspect);
         none.prediction = found_.prediction;
+        none.predictions = std::move(found_.predictions);
         found_ = std::move(none);
         found_.growth = s > 0 ? growth_class::zero : growth_class::infinite;
         found_.gevrey = s / class_.stride;

@@ -304,6 +304,11 @@ std::optional<root_consensus> consensus_at(const approximant_family& family, int
     for (const auto& each : top) {
         found.tracks.push_back(each.track);
     }
+    std::set<int> orders;
+    for (const auto& each : members) {
+        orders.insert(family.tracks[each.track].order);
+    }
+    found.orders = static_cast<int>(orders.size());
     add_exponents(found, top, members);
     add_members(found, members);
     return found;

@@ -68,6 +68,26 @@ std::string ring_of(const list_verdict& verdict, long digits, int root) {
     return json_array(items);
 }
 
+std::string decimal_of_double(double x) { return to_decimal(mpfr(x), 17); }
+
+std::string fits_of(const list_verdict& verdict) {
+    std::vector<std::string> items;
+    for (const auto& each : verdict.family) {
+        items.push_back(json_object({{"position", json_text(decimal_of_double(each.real()))},
+                                     {"exponent", json_text(decimal_of_double(each.imag()))}}));
+    }
+    return json_array(items);
+}
+
+std::string predictions_of(const list_verdict& verdict) {
+    std::vector<std::string> items;
+    for (const auto& [n, error] : verdict.predictions) {
+        items.push_back(json_object({{"order", std::to_string(n)},
+                                     {"log10_error", json_text(to_decimal(mpfr(error), digits_of_uncertainty))}}));
+    }
+    return json_array(items);
+}
+
 // The action with the digits that are certain: -0.333333333333333, or 1.2+3.4i.
 std::string action_text(const list_verdict& verdict, long digits) {
     radius_estimate<mpfr> at;
@@ -100,15 +120,27 @@ std::string certain_decimal(const mpfr& x, const mpfr& uncertainty, long digits)
 }  // namespace
 
 std::vector<std::string> verdict_columns() {
-    return {
-        "bound",      "gevrey",  "action", "action_uncertainty", "suspect", "suspect_predicted", "suspect_uncertainty",
-        "prediction", "history", "ring"};
+    return {"bound",
+            "gevrey",
+            "action",
+            "action_uncertainty",
+            "suspect",
+            "suspect_predicted",
+            "suspect_uncertainty",
+            "prediction",
+            "history",
+            "ring",
+            "amplitude",
+            "amplitude_uncertainty",
+            "fits",
+            "predictions"};
 }
 
 std::vector<answer_value> values_of(const list_verdict& verdict, long digits, int root) {
     const auto number = [](std::string text) { return answer_value{std::move(text), ""}; };
     const auto list = [](std::string text) { return answer_value{std::move(text), "", value_kind::list}; };
     const auto& suspect = verdict.suspect;
+    const auto& amplitude = verdict.amplitude;
     return {text_value(bound_text(verdict.bound)),
             text_value(verdict.gevrey ? verdict.gevrey->str() : ""),
             text_value(verdict.action ? action_text(verdict, digits) : ""),
@@ -118,7 +150,11 @@ std::vector<answer_value> values_of(const list_verdict& verdict, long digits, in
             number(suspect ? to_decimal(suspect->uncertainty, digits_of_uncertainty) : ""),
             number(verdict.prediction ? to_decimal(mpfr(*verdict.prediction), digits_of_uncertainty) : ""),
             list(history_of(verdict, digits, root)),
-            list(ring_of(verdict, digits, root))};
+            list(ring_of(verdict, digits, root)),
+            number(amplitude && root == 1 ? certain_decimal(amplitude->value, amplitude->uncertainty, digits) : ""),
+            number(amplitude && root == 1 ? to_decimal(amplitude->uncertainty, digits_of_uncertainty) : ""),
+            list(fits_of(verdict)),
+            list(predictions_of(verdict))};
 }
 
 std::string radius_text(const list_verdict& verdict, const std::string& printed) {
@@ -141,6 +177,11 @@ std::vector<answer_note> notes_of(const list_verdict& verdict, const request& ho
              (at.position->im == 0 ? shown.position_re : complex_text(shown.position_re, shown.position_im, " i")) +
                  " +- " + shown.uncertainty +
                  (at.exponent ? ", exponent " + shown.exponent + " +- " + shown.exponent_uncertainty : "")});
+    }
+    if (verdict.amplitude) {
+        notes.push_back(
+            {"amplitude", certain_decimal(verdict.amplitude->value, verdict.amplitude->uncertainty, digits) + " +- " +
+                              to_decimal(verdict.amplitude->uncertainty, digits_of_uncertainty)});
     }
     if (verdict.gevrey && *verdict.gevrey > 0) {
         notes.push_back({"growth", "zero radius, Gevrey order " + verdict.gevrey->str()});

@@ -1,0 +1,41 @@
+#include "examined_list.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace libration::convergence {
+
+std::unique_ptr<examined_list> examined(std::span<const mpfr> b, coefficient_class of, double noise,
+                                        const task_runner& run) {
+    auto found = std::make_unique<examined_list>();
+    const precision_scope scope(decimal_digits(bits_for(static_cast<int>(b.size()))));
+    found->family = family_of(b, of, run);
+    if (static_cast<int>(b.size()) >= fewest_coefficients || found->family.is_exact()) {
+        found->clusters = clusters_of(found->family);
+        for (auto& each : found->clusters) {
+            each.noise = noise;
+        }
+        found->strong = strong_clusters(found->family, found->clusters);
+    }
+    return found;
+}
+
+std::unique_ptr<examined_list> examined_with_cuts(std::span<const mpfr> b, coefficient_class of, double noise,
+                                                  const task_runner& run) {
+    std::unique_ptr<examined_list> whole;
+    const double last = static_cast<double>(b.size()) - 1;
+    for (const double part : {1.0, 0.8, 0.62, 0.48, 0.37, 0.28}) {
+        const auto kept = static_cast<std::size_t>(std::lround(part * last)) + 1;
+        if (whole && kept < fewest_coefficients) {
+            break;
+        }
+        auto found = examined(b.first(kept), of, noise, run);
+        if (!found->strong.empty()) {
+            return found;
+        }
+        whole = whole ? std::move(whole) : std::move(found);
+    }
+    return whole;
+}
+
+}  // namespace libration::convergence
