@@ -53,7 +53,7 @@ public:
         const T start = time_;
         for (long i = 0; i < std::labs(count); ++i) {
             make_step(h);
-            time_ = start + h * (i + 1);
+            time_ = start + h * T(i + 1);
         }
         make_step(T(t - time_));
         time_ = t;
