@@ -317,7 +317,7 @@ const study& precision_floor() {
                         "recurrences of the coefficients: printed, squares, omega, lattice; default squares, in mpfr "
                         "lattice"}},
         .quick = {{"--energies", "1.71", ""}, {"--orders", "5,40", ""}},
-        .seconds = 2,
+        .seconds = 60,
         .excluded =
             no_answer_at_limits("the series is the constant 0", "the series is not defined: the period is infinite"),
         .plan = of_pendulum::plan,
