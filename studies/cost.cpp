@@ -1,6 +1,6 @@
 // What do the coefficients of the series and of its resummation cost, by each method? [paper sec:A1, sec:series]
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 #include <optional>
 #include <utility>
 
@@ -28,22 +28,27 @@ const std::string& meaning_of_routes() {
     return text;
 }
 
-// The median time of several runs, each of enough repetitions to take longer than the clock's resolution.
+// The processor time of this thread, on which other work of the machine has least influence.
+double processor_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+// The least processor time of several runs, each of enough repetitions to take longer than the clock's resolution.
 template <class Work>
 double seconds_of(int runs, int order, const Work& work) {
-    using clock = std::chrono::steady_clock;
     const int repetitions = 1 + 20'000 / (order * order + 1);
-    std::vector<double> times(static_cast<std::size_t>(runs));
-    for (double& time : times) {
-        const auto start = clock::now();
+    double least = 0;
+    for (int run = 0; run < runs; ++run) {
+        const double start = processor_seconds();
         for (int i = 0; i < repetitions; ++i) {
             work();
         }
-        time = std::chrono::duration<double>(clock::now() - start).count() / repetitions;
+        const double time = (processor_seconds() - start) / repetitions;
+        least = run == 0 ? time : std::min(least, time);
     }
-    const auto middle = times.begin() + runs / 2;
-    std::nth_element(times.begin(), middle, times.end());
-    return *middle;
+    return least;
 }
 
 template <class Number>
@@ -118,7 +123,7 @@ const column_list<time_row>& time_columns() {
     using row = time_row;
     static const auto all = with_typed_energy(joined<row>(
         columns_of_routes<row>(), {{"scalar", "arithmetic", [](const row& r) { return r.scalar; }},
-                                   {"seconds", "median of nine runs on this machine, one thread, s",
+                                   {"seconds", "least processor time of nine runs on this machine, one thread, s",
                                     [](const row& r) { return decimal_cell(r.seconds, digits_of_ratios); }},
                                    {"log10_seconds", "log10 of it", [](const row& r) { return log10_cell(r.seconds); }},
                                    {"ratio", "in units of the route direct",
@@ -233,11 +238,12 @@ const column_list<count_row>& count_columns() {
 }
 
 const column_list<time_row>& own_time_columns() {
-    static const auto all = columns_named(
-        "order,route,scalar,seconds,log10_seconds,unknown",
-        with_meanings(time_columns(), {{"order", meaning_of_order},
-                                       {"route", meaning_of_tapes},
-                                       {"seconds", "median of five runs on this machine, one thread, s"}}));
+    static const auto all =
+        columns_named("order,route,scalar,seconds,log10_seconds,unknown",
+                      with_meanings(time_columns(),
+                                    {{"order", meaning_of_order},
+                                     {"route", meaning_of_tapes},
+                                     {"seconds", "least processor time of five runs on this machine, one thread, s"}}));
     return all;
 }
 

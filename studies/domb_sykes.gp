@@ -41,21 +41,26 @@ panel_by = 'point'; most_panels = 6; most_across = 2; height = 450
 hue_by = 'energy'
 eval seen('hues', table, 'energy', '1')
 eval energy_names(table)
-hue_name(E) = 'E = '.named_energy(E)
+# Where a symmetry leaves another power than in the rest of the panel, it is in the key.
+hue_name(E) = 'E = '.named_energy(E).(power_of_list(E) == 2 ? '' : sprintf(', in t^%d', power_of_list(E)))
 about(p) = p eq '0' ? 'About the top' : p eq '1' ? 'About the bottom' : 'About '.p.' T*'
 n = words(hues)
 array power[n]
 array limit[n]
+array top_power[n]
+power_of_list(E) = (found_ = 2, sum [i_=1:n] (word(hues, i_) eq E ? (found_ = top_power[i_]) : 0, 0), found_)
+do for [h=1:n] { eval last_cell('cell', lists, 'power', "is('energy', word(hues, h)) && is('point', '0')"); top_power[h] = cell eq '' ? 2 : cell + 0 }
 x = 'inverse_n'; x_name = '1/n'; y_name = 'a_n/a_{n−p} · R^p'
 eval extent('n', table, 'n', '1')
 widest = n_high >= 12 ? 0.21 : 0.55
 x_axis = 'set xrange [0:widest]'
-edge = 2.85               # ratios beyond it are drawn at it
+edge = 2.95               # ratios beyond it are not drawn, but counted in the panel
+beyond(h) = of_hue(sprintf("column('power') == %d && has('scaled_ratio') && at('inverse_n') > 0 && at('log10_scaled_ratio') > %g", power[h], log10(edge)))
 plot_here = "eval last_cell('cell', lists, 'power', of_hue('1')); power[h] = cell + 0; eval last_cell('cell', lists, 'limit', of_hue('1')); limit[h] = cell eq '' ? NaN : cell + 0; if (limit[h] == limit[h] && limit[h] != 0) { straight = straight + 1; total = total + limit[h]; set label 10 + h '' at 0, limit[h] point pt 13 ps 1.8 lc rgb '#D55E00' front } else { limit[h] = NaN }; eval last_cell('cell', lists, 'undefined', of_hue('1')); undefined = undefined + cell"
-prepare = "straight = 0; total = 0; undefined = 0; do for [h=1:n] { eval plot_here }; set tmargin 3.2; panel_title = about(this).', '.(power[1] == 1 ? 'in t' : sprintf('in t^%d', power[1])).\"\\n{/*0.85 \".(straight == n ? '' : straight == 0 ? 'a pair is nearest: no intercept' : 'a pair is nearest where there is no intercept').(undefined ? (straight == n ? '' : '; ').'× at the lower edge: not defined, divided by 0' : '').' }'"
+prepare = "straight = 0; total = 0; undefined = 0; outside = 0; do for [h=1:n] { eval plot_here; eval count_of('cell', table, beyond(h)); outside = outside + cell }; set tmargin 3.2; panel_title = about(this).', '.(power[1] == 1 ? 'in t' : sprintf('in t^%d', power[1])).\"\\n{/*0.85 \".(straight == n ? '' : straight == 0 ? 'a pair is nearest: no intercept' : 'a pair is nearest where there is no intercept').(undefined ? (straight == n ? '' : '; ').'× at the lower edge: not defined, divided by 0' : '').(outside ? sprintf('; %d ratios beyond ±3 are not drawn', outside) : '').' }'"
 y_axis = "if (straight == n && abs(total) == n && !undefined) { set yrange [total < 0 ? -1.25 : -0.25:total < 0 ? 0.25 : 1.25] } else { set yrange [-3:3] }"
 finish = 'do for [h=1:n] { unset label 10 + h }'
-clipped = sprintf("at('log10_scaled_ratio') > %g ? (substr(strcol('scaled_ratio'), 1, 1) eq '-' ? -edge : edge) : at('scaled_ratio')", log10(edge))
+clipped = sprintf("(at('log10_scaled_ratio') > %g ? NaN : at('scaled_ratio'))", log10(edge))
 in_power = "column('power') == power[h] && has('scaled_ratio')"
 layers = "1 with lines lc rgb '#bbbbbb' lw 0.8, -1 with lines lc rgb '#bbbbbb' lw 0.8" \
     .", for [h=1:n] limit[h] * (1 - power[h] * x) with lines lw 5 lc rgb '#dddddd'" \

@@ -4,7 +4,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "printed_numbers.hpp"
 #include "run/parallel.hpp"
+#include "severity.hpp"
 #include "text/table.hpp"
 
 namespace libration {
@@ -23,7 +25,7 @@ std::vector<claim> all_claims() {
     for (const auto& part : {claims_of_background, claims_of_exact_period, claims_of_closed_solutions, claims_of_series,
                              claims_of_singularities, claims_of_singularities_of_rotation, claims_of_extension,
                              claims_of_resummation, claims_of_resummation_errors, claims_of_period,
-                             claims_of_conclusions, claims_of_appendix, claims_of_libration}) {
+                             claims_of_conclusions, claims_of_scenarios, claims_of_appendix, claims_of_libration}) {
         auto more = part();
         all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
     }
@@ -51,6 +53,15 @@ std::vector<judged_claim> judge(const std::vector<claim>& claims, int jobs) {
     return judged;
 }
 
+namespace {
+
+std::string severity_cell(const judged_claim& judged) {
+    const auto found = severity_of(judged.of->name);
+    return judged.found.verdict == verdict::holds || !found ? "" : name_of(*found);
+}
+
+}  // namespace
+
 table claims_table(const std::vector<judged_claim>& judged) {
     table result({{"claim", "name, also of the test"},
                   {"label", "where it stands in the paper's source"},
@@ -59,12 +70,15 @@ table claims_table(const std::vector<judged_claim>& judged) {
                   {"number", "the measured number, to 3 digits"},
                   {"measured", "what the number is"},
                   {"correction", "what is true instead"},
-                  {"command", "shows it"}});
+                  {"command", "shows it"},
+                  {"severity", "of what does not hold as printed: formula | statement | wording"},
+                  {"printed", "the label as the paper prints it: number of equation, figure or section"}});
     constexpr long shown_digits = 3;
     for (const judged_claim& each : judged) {
         const claim& c = *each.of;
         result.add_row({c.name, c.label, c.statement, name_of(each.found.verdict),
-                        decimal_cell(each.found.number, shown_digits), c.number, c.correction, c.command});
+                        decimal_cell(each.found.number, shown_digits), c.number, c.correction, c.command,
+                        severity_cell(each), is_own(c.label) ? "" : printed_place(c.label)});
     }
     return result;
 }

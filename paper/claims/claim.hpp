@@ -56,6 +56,7 @@ std::vector<claim> claims_of_resummation();                ///< section IV, the 
 std::vector<claim> claims_of_resummation_errors();         ///< section IV, the errors
 std::vector<claim> claims_of_period();                     ///< section V
 std::vector<claim> claims_of_conclusions();                ///< section VI
+std::vector<claim> claims_of_scenarios();                  ///< section VI, the three scenarios
 std::vector<claim> claims_of_appendix();                   ///< the appendix
 std::vector<claim> claims_of_libration();                  ///< the claims of this program, not of the paper
 
@@ -72,7 +73,7 @@ struct judged_claim {
 /// exception of a measurement is rethrown as std::runtime_error with the claim's name.
 std::vector<judged_claim> judge(const std::vector<claim>& claims, int jobs);
 
-/// Columns claim,label,statement,verdict,number,measured,correction,command.
+/// Columns claim,label,statement,verdict,number,measured,correction,command,severity,printed.
 table claims_table(const std::vector<judged_claim>& judged);
 
 }  // namespace libration

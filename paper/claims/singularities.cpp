@@ -257,6 +257,19 @@ claim top_has_the_largest_radius() {
             }};
 }
 
+// Whether the series about the top, which has every second power, has the better rate per nonzero coefficient than the
+// one half way.
+bool top_is_better_by_coefficient(const char* energy) {
+    const mpfr top = top_radius(energy, 300);
+    return 1 / (top * top) < 1 / (radius_between(energy, mpfr(1) / 2) * 2);
+}
+
+// |K'/K - sqrt 2| at the modulus sqrt 2 - 1, which is that of E = 6 - 4 sqrt 2 and of E = 6 + 4 sqrt 2.
+mpfr error_of_turning_modulus() {
+    const auto shape = elliptic::modulus<mpfr>::from_modulus(sqrt(mpfr(2)) - 1);
+    return abs(elliptic::complete_integral(shape.swapped()) / elliptic::complete_integral(shape) - sqrt(mpfr(2)));
+}
+
 claim top_is_the_best_point() {
     return {
         "top_is_the_best_point",
@@ -264,14 +277,19 @@ claim top_is_the_best_point() {
         "The top is the optimal place to expand about, to cover the way from the top to the bottom.",
         "rate (T*/2)/R(T*/2) of an expansion half way over the rate T*/R of the one at the top, R from coefficients, E "
         "= 1.71: below 1 where half way is better",
-        "It has the largest radius, but the whole way lies on one side of it. About t = T*/2 the error falls by 0.593 "
-        "a power instead of 0.827 at E = 1.71 (0.684 a coefficient, for the top has every second power only), and by "
-        "less a power at every energy.",
+        "It has the largest radius. To cover the way from the top to the bottom, T*/2 is never worse per power: with k "
+        "= K~'/T* its rate is 1/sqrt(1 + 4k^2), that of the top 1/sqrt(1 + k^2), at E = 1.71 0.593 and 0.827. The top "
+        "has every second power only, so that its rate per nonzero coefficient is (T*/R)^2 = 1/(1 + k^2), 0.684 at "
+        "E = 1.71. This is the better one where (1 + k^2)^2 > 1 + 4k^2, k > sqrt 2: for E < 6 - 4 sqrt 2 = 0.343 and "
+        "E > 6 + 4 sqrt 2 = 11.7 only, for K'/K = sqrt 2 at the modulus sqrt 2 - 1 of both.",
         "./run coefficients --energy 1.71 --at T/8 --order 20",
         [] {
             const mpfr half_way = 1 / (radius_between("1.71", mpfr(1) / 2) * 2);
             const mpfr from_top = 1 / top_radius("1.71");
-            return by_tests(half_way >= from_top, half_way < from_top, half_way / from_top);
+            const bool outside = top_is_better_by_coefficient("0.33") && top_is_better_by_coefficient("12");
+            const bool inside = top_is_better_by_coefficient("0.36") || top_is_better_by_coefficient("11.3");
+            const bool senses = outside && !inside && error_of_turning_modulus() < negligible();
+            return by_tests(half_way >= from_top, half_way < from_top && senses, half_way / from_top);
         }};
 }
 

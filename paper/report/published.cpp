@@ -25,7 +25,7 @@ constexpr std::array<std::string_view, 10> paper_figures{
     "fig:perioderror",   "fig:period"};
 
 // The place of a study's figure among them; behind them all where it has none.
-std::size_t place_of(const study& what) {
+std::size_t figure_place_of(const study& what) {
     std::size_t place = 0;
     while (place < paper_figures.size() && !what.label.starts_with(paper_figures.at(place))) {
         ++place;
@@ -58,7 +58,7 @@ std::vector<published_claim> read_claims(const std::string& path) {
     claims.reserve(data.rows().size());
     for (const auto& row : data.rows()) {
         claims.push_back({row[0].text(), row[1].text(), row[2].text(), row[3].text(), row[4].text(), row[5].text(),
-                          row[6].text(), row[7].text()});
+                          row[6].text(), row[7].text(), row[8].text(), row[9].text()});
     }
     return claims;
 }
@@ -105,7 +105,7 @@ published read_published(const std::string& folder) {
         }
     }
     std::stable_sort(result.studies.begin(), result.studies.end(),
-                     [](const auto& a, const auto& b) { return place_of(*a.what) < place_of(*b.what); });
+                     [](const auto& a, const auto& b) { return figure_place_of(*a.what) < figure_place_of(*b.what); });
     const fs::path claims = fs::path(folder) / "claims.csv";
     if (fs::exists(claims)) {
         result.claims = read_claims(claims.string());
@@ -129,6 +129,18 @@ std::vector<published_claim> claims_with(const std::vector<published_claim>& cla
     std::copy_if(claims.begin(), claims.end(), std::back_inserter(result),
                  [name = name_of(judged)](const published_claim& each) { return each.verdict == name; });
     return result;
+}
+
+std::vector<published_claim> claims_of_severity(const std::vector<published_claim>& claims,
+                                                const std::string& severity) {
+    std::vector<published_claim> result;
+    std::ranges::copy_if(claims, std::back_inserter(result),
+                         [&](const published_claim& each) { return each.severity == severity; });
+    return result;
+}
+
+std::string place_of(const published_claim& each) {
+    return each.printed.empty() || each.printed == each.label ? each.label : each.label + " (" + each.printed + ")";
 }
 
 }  // namespace libration

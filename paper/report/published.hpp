@@ -21,7 +21,7 @@ struct published_study {
 
 /// A row of claims.csv.
 struct published_claim {
-    std::string name, label, statement, verdict, number, measured, correction, command;
+    std::string name, label, statement, verdict, number, measured, correction, command, severity, printed;
 };
 
 /// A table of reference/, as described in reference.json.
@@ -48,6 +48,13 @@ std::vector<published_claim> claims_by(const std::vector<published_claim>& claim
 
 /// Those with a verdict.
 std::vector<published_claim> claims_with(const std::vector<published_claim>& claims, verdict judged);
+
+/// Those of a severity, by its name.
+std::vector<published_claim> claims_of_severity(const std::vector<published_claim>& claims,
+                                                const std::string& severity);
+
+/// "fig:subcrit (figure 4)": the label, followed by its place in print if that is different.
+std::string place_of(const published_claim& each);
 
 /// The whole text of a file. Throws std::runtime_error.
 std::string text_of(const std::string& path);

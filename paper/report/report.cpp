@@ -7,6 +7,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "paper/claims/printed_numbers.hpp"
 #include "sweep/study_files.hpp"
 #include "text/latex.hpp"
 
@@ -26,11 +27,13 @@ std::string markdown_cell(const std::string& text) {
 // The rows of claims as a Markdown table.
 std::string claims_rows(const std::vector<published_claim>& claims) {
     std::string text =
-        "| claim | label | statement | verdict | measured | command |\n| --- | --- | --- | --- | --- | --- |\n";
+        "| claim | label (in print) | statement | verdict | measured | command |\n| --- | --- | --- | --- | --- | --- "
+        "|\n";
     for (const published_claim& each : claims) {
         const std::string truth = each.correction.empty() ? "" : " **Instead:** " + markdown_cell(each.correction);
-        text += fmt::format("| {} | {} | {}{} | {} | {}: {} | `{}` |\n", markdown_cell(each.name),
-                            markdown_cell(each.label), markdown_cell(each.statement), truth, each.verdict,
+        const std::string severity = each.severity.empty() ? "" : " (" + each.severity + ")";
+        text += fmt::format("| {} | {} | {}{} | {}{} | {}: {} | `{}` |\n", markdown_cell(each.name),
+                            markdown_cell(place_of(each)), markdown_cell(each.statement), truth, each.verdict, severity,
                             markdown_cell(each.measured), each.number, markdown_cell(each.command));
     }
     return text + "\n";
@@ -41,15 +44,16 @@ std::string claims_part(const std::vector<published_claim>& all) {
     const auto own = claims_by(all, true);
     std::string text = fmt::format(
         "## Does the paper hold?\n\n"
-        "{} statements of the paper were judged: {} hold, {} hold with a correction, {} fail. `./run claims NAME` "
-        "measures "
-        "one\n"
-        "again, `./run test -R 'claim NAME'` runs its test, and [errata.md](errata.md) explains what does not hold. "
-        "The "
-        "label\n"
-        "is that of the paper's LaTeX source. Tables: [claims.csv](claims.csv), [claims.tex](claims.tex).\n\n",
+        "{} statements of the paper were judged: {} hold, {} hold with a correction, {} fail. Of those that do not\n"
+        "hold as printed, {} are formulas with which a program gives wrong numbers, {} statements about the\n"
+        "mathematics, {} wording. `./run claims NAME` measures one again, `./run claims fig:subcrit` or `./run claims\n"
+        "\"Figure 4\"` those that concern a label or a printed number, `./run test -R 'claim NAME'` runs its test, "
+        "and\n"
+        "[errata.md](errata.md) explains what does not hold. The label is that of the paper's LaTeX source, followed by\n"
+        "the printed number. Tables: [claims.csv](claims.csv), [claims.tex](claims.tex).\n\n",
         claims.size(), claims_with(claims, verdict::holds).size(), claims_with(claims, verdict::corrected).size(),
-        claims_with(claims, verdict::fails).size());
+        claims_with(claims, verdict::fails).size(), claims_of_severity(claims, "formula").size(),
+        claims_of_severity(claims, "statement").size(), claims_of_severity(claims, "wording").size());
     text += claims_rows(claims);
     if (own.empty()) {
         return text;
@@ -67,8 +71,9 @@ std::string studies_part(const std::vector<published_study>& studies) {
         "CSV.\n\n"
         "| study | figure | question | command |\n| --- | --- | --- | --- |\n";
     for (const published_study& each : studies) {
-        text += fmt::format("| [{0}]({0}) | {1} | {2} | `./run {3}` |\n", each.what->name, each.what->label,
-                            each.what->question, each.command.substr(each.command.find(' ') + 1));
+        text +=
+            fmt::format("| [{0}]({0}) | {1} | {2} | `./run {3}` |\n", each.what->name, printed_place(each.what->label),
+                        each.what->question, each.command.substr(each.command.find(' ') + 1));
     }
     return text;
 }
@@ -112,11 +117,26 @@ const published_claim& claim_named(const std::vector<published_claim>& claims, c
     return *found;
 }
 
+// The replacement of a placeholder of the errata: the number of the claim, or the printed number of a label.
+std::string filled_in(const published& results, const std::string& placeholder) {
+    const std::string printed = "printed ";
+    if (!placeholder.starts_with(printed)) {
+        return claim_named(results.claims, placeholder).number;
+    }
+    const std::string label = placeholder.substr(printed.size());
+    const std::string place = printed_place(label);
+    if (place == label) {
+        throw std::runtime_error("the errata name the label " + label + ", which the paper does not have");
+    }
+    return place;
+}
+
 // The claims table for LaTeX: what fits the width of a page.
 std::string claims_latex(const std::vector<published_claim>& claims) {
-    table data({{"label", "of the paper's source"}, {"statement", ""}, {"verdict", ""}, {"measured", ""}});
+    table data({{"place", "in print"}, {"statement", ""}, {"verdict", ""}, {"severity", ""}, {"measured", ""}});
     for (const published_claim& each : claims) {
-        data.add_row({each.label, each.statement, each.verdict, read_cell(each.number)});
+        data.add_row({each.printed.empty() ? each.label : each.printed, each.statement, each.verdict, each.severity,
+                      read_cell(each.number)});
     }
     return to_latex(data, {"The statements of the paper, and this program's own behind them, judged.", "claims"});
 }
@@ -140,7 +160,7 @@ std::string errata_page(const published& results, const std::string& outline) {
             throw std::runtime_error("the errata open {{ without }}");
         }
         page += outline.substr(at, open - at);
-        page += claim_named(results.claims, outline.substr(open + 2, close - open - 2)).number;
+        page += filled_in(results, outline.substr(open + 2, close - open - 2));
         at = close + 2;
     }
     page += outline.substr(at);

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "paper/claims/printed_numbers.hpp"
 #include "report.hpp"
 #include "run/provenance.hpp"
 #include "text/html.hpp"
@@ -58,6 +59,13 @@ std::string verdict_part(const published& results) {
         "<ul class=\"tally\"><li class=\"holds\"><b>{}</b>statements hold</li>"
         "<li class=\"corrected\"><b>{}</b>hold with a correction</li><li class=\"fails\"><b>{}</b>fail</li></ul>\n",
         count(verdict::holds), count(verdict::corrected), count(verdict::fails));
+    const auto of_severity = [&](const char* severity) { return claims_of_severity(of_the_paper, severity).size(); };
+    text += fmt::format(
+        "<p>Of those that do not hold as printed, {} are <em>formulas</em> with which a program gives wrong numbers, "
+        "{} "
+        "<em>statements</em> about the mathematics that are not so in this generality, and {} are <em>wording</em>: "
+        "captions, labels, missing words.</p>\n",
+        of_severity("formula"), of_severity("statement"), of_severity("wording"));
     text +=
         "<p>Each statement was measured when this page was made: each verdict follows from the number beside it. "
         "<em>Holds with correction</em> means that the idea is right and the printed formula or wording needs the "
@@ -74,7 +82,7 @@ std::string verdict_part(const published& results) {
         "<a href=\"#claim-appendix_sigma\">&sigma;<sub>N</sub></a>.</p>\n"
         "<p>What the paper promises beyond that is not so in general: that the resummation is better "
         "<a href=\"#claim-better_at_every_truncation\">at every truncation and energy</a> and "
-        "<a href=\"#claim-abstract_uniform_acceleration\">everywhere on the way</a>, that series about the bottom "
+        "<a href=\"#claim-abstract_uniform_acceleration\">at every time</a>, that series about the bottom "
         "<a href=\"#claim-bottom_radius_of_libration\">never reach T* below E = 2</a>, that the error "
         "<a href=\"#claim-error_grows_towards_separatrix\">grows steadily</a> towards E = 2.</p>\n";
     return text;
@@ -85,8 +93,8 @@ std::string claim_card(const published_claim& each) {
     std::string text = fmt::format(
         "<article id=\"claim-{}\" class=\"{}\">\n<p class=\"meta\"><span class=\"chip {}\">{}</span> &middot; {} "
         "&middot; {}</p>\n<p>{}</p>\n",
-        html_text(each.name), css, css, each.verdict, html_text(each.label), html_text(each.name),
-        html_prose(each.statement));
+        html_text(each.name), css, css, each.verdict + (each.severity.empty() ? "" : ": " + each.severity),
+        html_text(place_of(each)), html_text(each.name), html_prose(each.statement));
     if (!each.correction.empty()) {
         text += "<p><b>Instead:</b> " + html_prose(each.correction) + "</p>\n";
     }
@@ -177,7 +185,7 @@ std::map<std::string, std::string> images_within(const published& results) {
 std::string study_part(const published& results, const published_study& each,
                        const std::map<std::string, std::string>& images) {
     const study& what = *each.what;
-    const std::string figure = what.label.empty() ? "not in the paper" : "the paper's " + what.label;
+    const std::string figure = what.label.empty() ? "not in the paper" : "the paper's " + printed_place(what.label);
     std::string text =
         fmt::format("<section class=\"study\" id=\"{}\">\n<h3>{}</h3>\n<p class=\"question\">{}</p>\n<p>{}</p>\n",
                     what.name, html_mathematics(what.title), html_mathematics(what.question),
@@ -200,8 +208,9 @@ std::string contents(const published& results) {
     std::string text = "<ol>\n";
     for (const published_study& each : results.studies) {
         const std::string& label = each.what->label;
-        text += fmt::format("<li><a href=\"#{}\">{}</a>{}</li>\n", each.what->name, html_text(each.what->title),
-                            label.empty() ? "" : " <span class=\"soft\">the paper's " + html_text(label) + "</span>");
+        text += fmt::format(
+            "<li><a href=\"#{}\">{}</a>{}</li>\n", each.what->name, html_text(each.what->title),
+            label.empty() ? "" : " <span class=\"soft\">the paper's " + html_text(printed_place(label)) + "</span>");
     }
     return text + "</ol>\n";
 }

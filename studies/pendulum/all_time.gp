@@ -10,7 +10,10 @@ eval settings
 title_text = 'Error after p periods with an inexact T*'
 below_text = 'each panel: T* from N powers of its series or of the resummation'
 panel_by = 'period_by'; most_across = 4
-prepare = 'panel_title = rule_name(this)'
+# Energies whose errors are below the axis are named in the panel.
+below_axis = "below = ''; do for [h=1:words(hues)] { eval count_of('drawn', table, of_hue(\"at('log10_error') > y_low\")); if (drawn == 0) { below = below.(below eq '' ? 'below 10^{'.sprintf('%.0f', floor(y_low)).\"}:\\nE = \" : ', ').number_name(word(hues, h)) } }; "
+prepare = below_axis."panel_title = rule_name(this); set label 50 below at graph 0.04, 0.13 font ',11' textcolor rgb soft"
+finish = 'unset label 50'
 layers = by_hue('log10_predicted', '1', 'lines lw 1.4 dt 3 lc rgb tone(h)').', '.by_hue('log10_error', '1', 'linespoints lw 1.8 pt mark_of(h) ps 0.9 lc rgb tone(h)')
 key = key_of_hues('linespoints lw 1.8 pt mark_of(h) ps 0.9 lc rgb tone(h)').', '.key_entry('lines lw 1.4 dt 3 lc rgb soft', "'estimate'")
 entries = shown_in_key(words(hues)) + 1; letters = 12

@@ -18,6 +18,9 @@ do for [e in energies] {
     set print
 }
 is_regime(name, y) = strcol(4) eq name ? y : NaN
+set table $separatrix
+plot table using (at('time')):(at('energy')):(at('theta')) with table if (is('regime', 'separatrix'))
+unset table
 # The order N of the approximations stands above the key, or in each entry if there are several.
 eval seen_together('ways', table, 'order period_by', "has('order')")
 eval seen('orders', table, 'order', '1')
@@ -51,11 +54,15 @@ do for [kind in terminals] {
     splot $surface using 1:2:3 with lines lw 0.7 lc rgb '#9ab8cc' notitle, \
           $surface using 1:2:(is_regime('libration', $3)) with lines lw 1.8 lc rgb shade[5] title 'libration, E < 2', \
           $surface using 1:2:(is_regime('rotation', $3)) with lines lw 1.8 lc rgb shade[1] title 'rotation, E > 2', \
-          $surface using 1:2:(is_regime('separatrix', $3)) with lines lw 4.5 lc rgb shade[6] title 'separatrix, E = 2'
+          NaN with lines lw 4.5 dt 2 lc rgb shade[6] title 'separatrix, E = 2'
     unset hidden3d
+    # As the paper draws it: dashed throughout, above the surface that would hide parts of it.
+    set key off
+    unset border; unset xtics; unset ytics; unset ztics; unset xlabel; unset ylabel; unset zlabel; unset label 1
+    splot $separatrix using 1:2:3 with lines lw 4.5 dt 2 lc rgb shade[6] notitle
+    set xtics nomirror out; set ytics nomirror out; set key on
     set datafile separator ','
     set datafile columnheaders
-    unset label 1
     set border 3 lc rgb '#444444'
     if (words(ways) > 0) {
         eval energy_high > energy_low ? sprintf('set xrange [%g:%g]', energy_low, energy_high) : rising('x', energy_low, energy_high)

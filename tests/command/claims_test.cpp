@@ -74,8 +74,22 @@ TEST_CASE("claims are chosen by name, and printed in any format", "[command][cla
     CHECK(output_of({"claims", name, "--format", "latex"}).starts_with("\\begin{tabular}"));
 }
 
+TEST_CASE("claims are chosen by the label of a figure and by its printed number alike", "[command][claims]") {
+    const std::string by_label = output_of({"claims", "fig:subcrit", "--format", "csv"});
+    CHECK(by_label == output_of({"claims", "Figure 4", "--format", "csv"}));
+    const auto rows = from_csv(by_label);
+    REQUIRE(rows.rows().size() == 3);
+    for (const auto& row : rows.rows()) {
+        CHECK(row.at(1).text().find("fig:subcrit") != std::string::npos);
+        CHECK(row.at(9).text().find("figure 4") != std::string::npos);
+        CHECK(row.at(8).is_empty() == (row.at(3).text() == "holds"));
+    }
+}
+
 TEST_CASE("a claim that there is not is refused", "[command][claims]") {
-    check_refused({"claims", "nonsense"}, {"claims 'nonsense' is not a claim: see 'libration claims'"});
+    check_refused({"claims", "nonsense"},
+                  {"claims 'nonsense' is not a claim, nor a label or a printed number that claims concern: see "
+                   "'libration claims'; labels are as fig:subcrit, numbers as 'Figure 4' or '(16c)'"});
 }
 
 TEST_CASE("cite prints BibTeX for the program and the paper", "[command]") {

@@ -106,7 +106,7 @@ TEST_CASE("the help of a study says which forms an option accepts and what is re
     // As one line: where it is wrapped depends on the defaults.
     const auto help_of = [](const std::string& name) { return one_line(output_of({"study", name, "--help"})); };
     const std::string norm = help_of("error_norm");
-    CHECK(norm.find("energies E, in m g l (default: 1e-3,1e-2,0.05:1.95:39,2.02,2.05:2.95:19,3:8:26): LIST, a:b:count "
+    CHECK(norm.find("energies E, in m g l (default: 1e-3,1e-2,0.02:1.98:99,2.02:2.98:49,3:8:51): LIST, a:b:count "
                     "or a:b:COUNTlog") != std::string::npos);
     CHECK(norm.find("with --problem (required): LIST") != std::string::npos);
     CHECK(norm.find("ball:DIGITS (proved)") != std::string::npos);

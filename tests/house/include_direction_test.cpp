@@ -38,8 +38,8 @@ const std::string order_of_modules =
 // These include nothing of the pendulum itself, although it comes before them; of the tables of a problem those named
 // pendulum_tables do.
 const std::set<std::string> general{"interface", "text", "run", "option", "problem_tables", "sweep", "verb"};
-const std::set<std::string> pendulum_tables{"motion_cells", "motion_options", "period_table", "solution_options",
-                                            "trajectory_points"};
+const std::set<std::string> pendulum_tables{"motion_cells", "motion_coefficients", "motion_options",
+                                            "period_table", "solution_options",    "trajectory_points"};
 // Subfolders include the plain files of their module; of their sisters only these.
 const std::set<std::pair<std::string, std::string>> sisters{{"integration/collocation", "integration/taylor"},
                                                             {"integration/delay", "integration/taylor"},

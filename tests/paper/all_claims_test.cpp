@@ -9,6 +9,8 @@
 #include <string>
 
 #include "paper/claims/claim.hpp"
+#include "paper/claims/printed_numbers.hpp"
+#include "paper/claims/severity.hpp"
 #include "text/table.hpp"
 
 namespace paper_all_claims_test {
@@ -69,10 +71,41 @@ TEST_CASE("claims are the published ones, by one thread and by two, corrected an
         const bool holds = each.found.verdict == verdict::holds;
         CHECK(each.of->correction.empty() == holds);
         CHECK((holds || letter.find(each.of->name) != std::string::npos));
+        CHECK(severity_of(each.of->name).has_value() != holds);
     }
     const std::string made = to_csv(claims_table(judged));
     CHECK(made == text_of("results/claims.csv"));
     CHECK(made == to_csv(claims_table(judge(claims, 1))));
+}
+
+// Counted in the paper's source, equations with parts by their letters.
+TEST_CASE("labels are replaced by the numbers that the paper prints", "[paper][claims]") {
+    CHECK(printed_place("fig:subcrit, text") == "figure 4, text");
+    CHECK(printed_place("cosseriesrec, sinseriesrec") == "(16c), (16d)");
+    CHECK(printed_place("sec:convergence, text; Knew") == "section III C, text; (28)");
+    CHECK(printed_place("truncation2") == "(A1b)");
+    CHECK(printed_place("abstract") == "abstract");
+    for (const claim& each : all_claims()) {
+        INFO(each.name << ": " << each.label);
+        CHECK((is_own(each.label) || each.label == "abstract" || printed_place(each.label) != each.label));
+    }
+}
+
+TEST_CASE("claims concern a label, its number in several spellings, and the parts of an equation or section",
+          "[paper][claims]") {
+    for (const char* asked : {"fig:subcrit", "figure 4", "Figure 4", "Fig. 4"}) {
+        CHECK(concerns("fig:subcrit, fig:supercrit", asked));
+        CHECK_FALSE(concerns("fig:supercrit, text", asked));
+    }
+    CHECK(concerns("cosseriesrec", "(16c)"));
+    CHECK(concerns("cosseriesrec", "Eq. 16"));
+    CHECK_FALSE(concerns("cosseriesrec", "1"));
+    CHECK_FALSE(concerns("fig:period", "figure 1"));
+    CHECK(concerns("sec:sing, text", "section III"));
+    CHECK_FALSE(concerns("sec:sing, text", "section I"));
+    CHECK(concerns("abstract", "Abstract"));
+    CHECK_FALSE(concerns("sec:sing, text", "text"));
+    CHECK_FALSE(concerns("libration: theorem U", "T"));
 }
 
 TEST_CASE("a measurement that throws is named", "[paper][claims]") {

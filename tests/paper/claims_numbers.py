@@ -96,7 +96,7 @@ def resummation():
     w = Way("1.71")
     up = Way("2.02")
     fast = abs(w.speed)
-    show("figure_libration_orders", w.norm(w.series(4)) / w.norm(w.series(2)))
+    show("figure_libration_orders", w.norm(w.series(6)) / w.norm(w.series(2)))
     show("omegab_rate", w.norm(w.resummed(100, speed=fast)) / (2 * fast * w.period / (e * 100)))
     show("omegab_rate N=0 printed", w.norm(w.resummed(0, speed=fast)))
     show("omegab_rate N=0 corrected", w.norm(w.resummed(0)))

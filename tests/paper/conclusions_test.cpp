@@ -5,7 +5,7 @@
 #include "libration/convergence/test/pole_pair.hpp"
 #include "libration/pendulum/error_norm.hpp"
 #include "libration/pendulum/expansion.hpp"
-#include "paper/judged.hpp"
+#include "paper/verdicts.hpp"
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 
@@ -84,6 +84,17 @@ TEST_CASE("claim all_times: holds, by reflections and whole periods", "[paper][c
     CHECK(three_digits(f) == "1.46e-7");
 }
 
+// sqrt(pi/6)*gamma(mpf(5)/6)/gamma(mpf(4)/3) = 0.91468135650...; the radius from the list alone.
+TEST_CASE("claim rayleigh_scenario: holds, the bubble collapses at the radius", "[paper][claims]") {
+    check_claim("rayleigh_scenario", verdict::holds, "0", "1e-8");
+}
+
+// The study approximants: below 1e-8 at N = 50 and above 1e-4 at N = 160.
+TEST_CASE("claim approximants_continue: corrected, the norms of Blasius grow beyond a moderate order",
+          "[paper][claims]") {
+    check_claim("approximants_continue", verdict::corrected, "1e4", "1e8");
+}
+
 TEST_CASE("claim blasius_scenario: holds, the radius is 5.69", "[paper][claims]") {
     const finding f = measured("blasius_scenario");
     CHECK(f.verdict == verdict::holds);
@@ -100,6 +111,15 @@ TEST_CASE("claim domb_sykes: holds with correction, because four singularities a
     const auto e = expand(exact_solution<mpfr>(with_energy("1.71")), read_expansion_point("top"), 5);
     CHECK(e.scaled[1] == 0);
     CHECK(e.scaled[3] == 0);
+    // Three terms at n = 100 and 140: their error falls by 0.53264 a power, R/|T* + 3i K'| by mpmath.
+    const auto long_list = expand(exact_solution<mpfr>(with_energy("1.71")), read_expansion_point("top"), 144);
+    const auto error_at = [&](int n) {
+        const auto c = [&](int k) { return mpfr(long_list.scaled[k] * k); };
+        const mpfr quotient = (c(n + 2) * c(n - 2) - c(n) * c(n)) / (c(n) * c(n - 4) - c(n - 2) * c(n - 2));
+        return mpfr(abs(sqrt(sqrt(quotient)) - 1));
+    };
+    CHECK(error_at(100) < mpfr("1e-24"));
+    CHECK(error_at(140) < error_at(100) * mpfr("1e-9"));
 }
 
 TEST_CASE("claim root_test: holds, within 1% at n = 400", "[paper][claims]") {

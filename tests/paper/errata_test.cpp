@@ -9,6 +9,7 @@
 
 #include "libration/pendulum/error_norm.hpp"
 #include "paper/claims/claim.hpp"
+#include "paper/claims/printed_numbers.hpp"
 #include "pendulum/typed.hpp"
 #include "scalars.hpp"
 
@@ -29,14 +30,15 @@ std::string letter() {
 
 }  // namespace
 
-TEST_CASE("errata: every placeholder is the name of a claim", "[paper][errata]") {
+TEST_CASE("errata: every placeholder is the name of a claim or a label of the paper", "[paper][errata]") {
     const std::string text = letter();
     const auto all = all_claims();
     const std::regex placeholder(R"(\{\{([^}]*)\}\})");
     for (std::sregex_iterator at(text.begin(), text.end(), placeholder); at != std::sregex_iterator(); ++at) {
         const std::string name = (*at)[1];
         INFO(name);
-        CHECK(std::any_of(all.begin(), all.end(), [&](const claim& c) { return c.name == name; }));
+        const bool prints = name.starts_with("printed ") && printed_place(name.substr(8)) != name.substr(8);
+        CHECK((prints || std::any_of(all.begin(), all.end(), [&](const claim& c) { return c.name == name; })));
     }
 }
 

@@ -115,6 +115,15 @@ TEST_CASE("claim top_is_the_best_point: corrected, half way covers the descent a
     check_number("top_is_the_best_point", verdict::corrected, "0.716708641358");
     const precision_scope precision(50);
     CHECK(1 / (radius_at("1.71", "T/8") * 2) < 1 / radius_at("1.71", "top"));
+    // Per nonzero coefficient, with radii of the lattice in units of T*: mpmath.ellipk(1-m)/mpmath.ellipk(m) is sqrt 2
+    // at m = 3 - 2 sqrt 2.
+    const auto top_is_better = [](const std::string& energy, const std::string& half_way) {
+        return 1 / pow(radius_at(energy, "top"), 2) < 1 / (radius_at(energy, half_way) * 2);
+    };
+    CHECK(top_is_better("0.343", "T/8"));
+    CHECK_FALSE(top_is_better("0.344", "T/8"));
+    CHECK_FALSE(top_is_better("11.65", "T/4"));
+    CHECK(top_is_better("11.66", "T/4"));
 }
 
 // ellipk(mpf(3)/4)/ellipk(mpf(1)/4)

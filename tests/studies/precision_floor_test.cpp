@@ -66,6 +66,38 @@ TEST_CASE("exact norms and norms of the fixed scalars are those of error_norm", 
     }
 }
 
+TEST_CASE("at orders where the bound is far below epsilon floors are measured without an exact norm",
+          "[studies][precision_floor]") {
+    const precision_scope scope(60);
+    const auto rows = rows_for({{"--energies", "0.5"}, {"--orders", "600"}, {"--scalar", "double"}});
+    REQUIRE(rows.size() == 2);
+    for (const table_row& row : rows) {
+        CHECK(row.at("exact_norm").empty());
+        CHECK(row.at("floor") == "yes");
+        CHECK(number_of(row.at("norm_in_epsilon")) > mpfr(1) / 8);
+        CHECK(number_of(row.at("norm_in_epsilon")) < 10);
+    }
+}
+
+TEST_CASE("the floor is measured for each recurrence, and the usual one is named", "[studies][precision_floor]") {
+    const precision_scope scope(60);
+    const study_words words{{"--energies", "1.71"}, {"--orders", "10"}, {"--scalar", "double"}};
+    study_words chosen = words;
+    chosen["--recurrence"] = "printed,squares,omega,lattice";
+    const auto usual = rows_for(words);
+    const auto all = rows_for(chosen);
+    REQUIRE(all.size() == 4 * usual.size());
+    for (const table_row& row : all) {
+        INFO(row.at("recurrence"));
+        // The exact norm of the order 10 is far above the rounding of double.
+        CHECK(abs(number_of(row.at("norm")) / number_of(row.at("exact_norm")) - 1) < mpfr("1e-9"));
+    }
+    CHECK(usual.at(0).at("recurrence") == "squares");
+    CHECK(all.at(1).at("recurrence") == "squares");
+    CHECK_THAT(all.at(1).at("norm"), right_to_the_last_digit(usual.at(0).at("norm")));
+    CHECK_THROWS_WITH(rows_for({{"--energies", "1"}, {"--recurrence", "printde"}}), Catch::Contains("printde"));
+}
+
 TEST_CASE("E = 0 and E = 2 have no floor", "[studies][precision_floor]") {
     CHECK_THROWS_WITH(rows_for({{"--energies", "2"}}), Catch::Contains("energy 2"));
     CHECK_THROWS_AS(rows_for({{"--energies", "0"}}), libration::error);

@@ -107,6 +107,11 @@ const rules point_rules{
 };
 
 const rules coefficients_rules{
+    {"--method --recurrence", "--problem", "is about motions of the pendulum, not about a --problem"},
+    {"--method", "--recurrence", "is given together with --recurrence", one_of_two},
+    {"--at --via", "--method", "is not supported with --method {}, which is about the top"},
+    {"--via --check", "--recurrence", "is not supported with --recurrence"},
+    {"--check", "--method", "is not supported with --method"},
     {"--check", "!--problem", "requires --problem", "add one, or leave it out"},
     {"--check", "!--scalar=ball:*", "compares two proofs of the coefficients of a --problem",
      "add --scalar ball:DIGITS"},

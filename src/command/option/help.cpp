@@ -50,7 +50,7 @@ const std::map<std::string, example_pair>& examples() {
           "radius --problem \"x' = 1 + x^2; x(0) = 0\" --prove --digits 12"}},
         {"period", {"period --theta0 90deg --omega0 0 --digits 50", "period --gap 1e-30 --digits 50"}},
         {"coefficients",
-         {"coefficients --energy 1.71 --order 8 --digits 30 --at bottom",
+         {"coefficients --energy 1.37 --method resummed --order 13 --digits 40",
           "coefficients --problem lorenz --order 8 --digits 20"}},
         {"trajectory",
          {"trajectory --energy 2.02 --times 0:20:5 --scalar mpfr:30",

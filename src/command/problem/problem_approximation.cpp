@@ -8,6 +8,7 @@
 #include "approximants_of_unknown.hpp"
 #include "libration/digits/printed_values.hpp"
 #include "libration/expansion/fast_product.hpp"
+#include "libration/integration/fixed_step/runge_kutta.hpp"
 #include "libration/problem/axis.hpp"
 #include "libration/problem/known_facts.hpp"
 #include "libration/query/trajectory.hpp"
@@ -62,6 +63,33 @@ compared_values by_list(const ode::explicit_system& system, const chosen_approxi
         }
     }
     return result;
+}
+
+// The fixed-step Runge-Kutta method in the arithmetic of T; the solution in the current precision.
+template <rounding_scalar T>
+compared_values by_runge_kutta(const ode::explicit_system& system, const exact& step,
+                               const std::vector<ode::number>& times) {
+    const auto truth = solve_on(system, times);
+    ode::fixed_runge_kutta<T> march(system, from_exact<T>(step));
+    compared_values result;
+    for (const auto& each : system.unknowns()) {
+        result.unknowns.push_back(each.name);
+        result.there.push_back(true);
+    }
+    for (std::size_t k = 0; k < times.size(); ++k) {
+        const auto& state = march.advance_to(ode::constant_value<T>::of(times[k]));
+        for (std::size_t i = 0; i < state.size(); ++i) {
+            result.values.push_back(widen(state[i][0]));
+            result.truth.push_back(truth.values[i][k]);
+        }
+    }
+    return result;
+}
+
+template <rounding_scalar T>
+compared_values by_method(const ode::explicit_system& system, const chosen_approximation& by,
+                          const std::vector<ode::number>& times) {
+    return by.method == "rk4" ? by_runge_kutta<T>(system, by.step, times) : by_list<T>(system, by, times);
 }
 
 // In the current precision, with the asymptotic behaviour to this number of digits.
@@ -171,10 +199,10 @@ compared_values compare_with_solution(const problem_options& problem, const chos
     }
     if (numbers.scalar.kind == scalar_kind::arbitrary) {
         return agreed_comparison(numbers.scalar.digits, times, system,
-                                 [&](long /*digits*/) { return by_list<mpfr>(system, by, times); });
+                                 [&](long /*digits*/) { return by_method<mpfr>(system, by, times); });
     }
     const precision_scope scope(digits_of_judge);
-    return with_scalar(numbers.scalar, 0, [&]<class T>() { return by_list<T>(system, by, times); });
+    return with_scalar(numbers.scalar, 0, [&]<class T>() { return by_method<T>(system, by, times); });
 }
 
 table table_of_comparison(const compared_values& found, const std::vector<exact>& times, const arithmetic& numbers) {

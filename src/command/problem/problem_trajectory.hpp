@@ -43,8 +43,9 @@ table problem_trajectory_along(const solution& of, const std::vector<ode::comple
 
 /// How a trajectory of a problem is computed from the coefficients about its initial point.
 struct chosen_approximation {
-    std::string method;  ///< series, pade, endpoint or asymptotic
-    int order;           ///< N, last power
+    std::string method;  ///< series, pade, endpoint, asymptotic or rk4
+    int order;           ///< N, last power; without meaning for rk4
+    exact step = {};     ///< of rk4
 };
 
 /// time,<unknown>...,digits,rigour,time_typed,<unknown>_error...: the approximations of the unknowns from the

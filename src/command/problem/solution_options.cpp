@@ -24,4 +24,8 @@ chosen_solution solution_options::choose(const arithmetic_options& numbers) cons
             {{"theta", {"coefficient", ""}}, {"theta_uncertainty", {"uncertainty", ""}}}};
 }
 
+std::optional<chosen_motion> solution_options::motion(const arithmetic_options& numbers) const {
+    return problem_.is_chosen() ? std::nullopt : std::optional(motion_.choose_for(numbers.choose().scalar));
+}
+
 }  // namespace libration

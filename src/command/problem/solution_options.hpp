@@ -27,6 +27,8 @@ public:
     /// The solution: of equations by Taylor series; of a motion in closed form, in an arithmetic that can represent its
     /// energy. Throws input_error.
     chosen_solution choose(const arithmetic_options& numbers) const;
+    /// The motion of the pendulum alone; std::nullopt with --problem. Throws input_error.
+    std::optional<chosen_motion> motion(const arithmetic_options& numbers) const;
 
 private:
     motion_options motion_;

@@ -17,23 +17,8 @@ namespace libration {
 
 namespace {
 
-constexpr long largest_study_order = 100'000;
-constexpr long largest_number_of_lists = 100'000;
-constexpr long largest_digits = 10'000;
 constexpr const char* scalar_option = "--scalar";
 constexpr std::string_view typed_ending = "_typed";
-
-void require_digits(const exact& digits) {
-    if (digits.coefficient < 1) {
-        throw error(error_kind::argument, "list", "", "is less than one digit");
-    }
-}
-
-void require_step(const exact& step) {
-    if (step.measure != unit::one || step.coefficient <= 0) {
-        throw error(error_kind::argument, "list", "", "is not a positive number");
-    }
-}
 
 // The items of an axis; for an axis of words, the words between commas.
 std::vector<grid_item> items_of(const axis& along, const std::string& words) {
@@ -204,46 +189,6 @@ void fill(study_order& order, const study_parameter& own, const study_words& wor
 }
 
 }  // namespace
-
-const std::vector<axis>& study_axes() {
-    static const std::vector<axis> all{{.name = "order",
-                                        .option = "--orders",
-                                        .help = "orders N",
-                                        .form = axis_form::whole,
-                                        .remedy = "write orders such as 5,10,20 or 5:40:8",
-                                        .coordinate = "order",
-                                        .largest = largest_study_order},
-                                       {.name = "digits",
-                                        .option = "--digits",
-                                        .help = "numbers of correct digits",
-                                        .form = axis_form::whole,
-                                        .remedy = "write numbers such as 10,20,50",
-                                        .check = require_digits,
-                                        .coordinate = "digits",
-                                        .largest = largest_digits},
-                                       {.name = "step",
-                                        .option = "--step",
-                                        .help = "step of the Runge-Kutta method",
-                                        .form = axis_form::one_number,
-                                        .remedy = "write a step such as 1e-5",
-                                        .check = require_step,
-                                        .coordinate = "step"},
-                                       {.name = "lists",
-                                        .option = "--lists",
-                                        .help = "number of random lists",
-                                        .form = axis_form::whole,
-                                        .remedy = "write a number such as 300",
-                                        .coordinate = "lists",
-                                        .largest = largest_number_of_lists},
-                                       {.name = "seed",
-                                        .option = "--seed",
-                                        .help = "number from which random lists are drawn",
-                                        .form = axis_form::whole,
-                                        .remedy = "write a number such as 7",
-                                        .coordinate = "seed",
-                                        .largest = largest_study_order}};
-    return all;
-}
 
 std::string forms_of(const study& what, const std::string& option) {
     return option == scalar_option ? scalars_offered(what.offers) : forms_of_axis(axis_of(what, option));

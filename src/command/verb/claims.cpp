@@ -2,12 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <optional>
 
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
 #include "paper/claims/claim.hpp"
+#include "paper/claims/printed_numbers.hpp"
 #include "sweep/study_order.hpp"
 #include "text/input_error.hpp"
 
@@ -28,11 +30,13 @@ std::vector<claim> chosen(const std::vector<std::string>& names) {
     }
     std::vector<claim> result;
     for (const std::string& name : names) {
-        const auto found = std::ranges::find(all, name, &claim::name);
-        if (found == all.end()) {
-            throw input_error("claims", name, "is not a claim", "see 'libration claims'");
+        const std::size_t before = result.size();
+        std::ranges::copy_if(all, std::back_inserter(result),
+                             [&](const claim& each) { return each.name == name || concerns(each.label, name); });
+        if (result.size() == before) {
+            throw input_error("claims", name, "is not a claim, nor a label or a printed number that claims concern",
+                              "see 'libration claims'; labels are as fig:subcrit, numbers as 'Figure 4' or '(16c)'");
         }
-        result.push_back(*found);
     }
     return result;
 }
@@ -42,8 +46,11 @@ std::string as_text(const std::vector<judged_claim>& judged) {
     const table data = claims_table(judged);
     std::string text;
     for (const auto& row : data.rows()) {
-        text += fmt::format("{}  {}: {}\n    {}\n    {}: {}\n", row[0].text(), row[1].text(), row[3].text(),
-                            row[2].text(), row[5].text(), row[4].text());
+        const std::string severity = row[8].is_empty() ? "" : " (" + row[8].text() + ")";
+        const std::string printed =
+            row[9].is_empty() || row[9].text() == row[1].text() ? "" : " [" + row[9].text() + "]";
+        text += fmt::format("{}  {}{}: {}{}\n    {}\n    {}: {}\n", row[0].text(), row[1].text(), printed,
+                            row[3].text(), severity, row[2].text(), row[5].text(), row[4].text());
         text += row[6].is_empty() ? "" : fmt::format("    correct statement: {}\n", row[6].text());
         text += fmt::format("    {}\n", row[7].text());
     }
@@ -64,7 +71,10 @@ int run_claims(const claims_options& options) {
 subcommand claims_command(CLI::App& program) {
     const auto options = std::make_shared<claims_options>();
     CLI::App* command = program.add_subcommand("claims", "test the statements of the paper: verdict and number");
-    command->add_option("NAME", options->names, "these claims only; all without it");
+    command->add_option("NAME", options->names,
+                        "these claims only, or those that concern a label or a printed number (fig:subcrit, 'Figure "
+                        "4', '(16c)', 'section V'); "
+                        "all without it");
     options->output.add_to(*command);
     command->add_option("--jobs", options->jobs, "number of threads (default: all cores)")->type_name("J");
     return {command, [options] { return run_claims(*options); }};

@@ -59,7 +59,8 @@ const std::vector<method_form> methods_of_problem{{"taylor"},
                                                   {.name = "series", .by_order = true},
                                                   {.name = "pade", .by_order = true},
                                                   {.name = "endpoint", .by_order = true},
-                                                  {.name = "asymptotic", .by_order = true}};
+                                                  {.name = "asymptotic", .by_order = true},
+                                                  {.name = "rk4", .by_step = true}};
 
 // The method of --method, by default the first, with the options that belong to it.
 std::vector<method_form>::const_iterator method_among(const std::vector<method_form>& all,
@@ -136,9 +137,10 @@ partial_table trajectory_of_problem(const trajectory_options& options) {
     const auto& [method, approximated, by_step] = *method_among(methods_of_problem, options);
     const arithmetic numbers = options.arithmetic.choose();
     options.integrator.choice();
-    if (approximated) {
-        return {problem_approximation(options.problem, {method, order_of("--order", *options.order)},
-                                      times_of_problem(options.times), numbers),
+    if (approximated || by_step) {
+        const int order = approximated ? order_of("--order", *options.order) : 0;
+        const exact step = positive_number_of("--step", options.step.value_or(defaults::step));
+        return {problem_approximation(options.problem, {method, order, step}, times_of_problem(options.times), numbers),
                 {},
                 {},
                 {}};
@@ -226,7 +228,7 @@ subcommand trajectory_command(CLI::App& program) {
     command
         ->add_option("--method", options->method,
                      "exact (the default); series, resummed or uniform, with --order; rk4; of a problem taylor (the "
-                     "default); series, pade, endpoint or asymptotic, with --order")
+                     "default); series, pade, endpoint or asymptotic, with --order; rk4")
         ->type_name("METHOD");
     command->add_option("--order", options->order, "last power N of series or uniform, last index of the resummation")
         ->type_name("N");
@@ -240,7 +242,8 @@ subcommand trajectory_command(CLI::App& program) {
         ->type_name("LIST");
     command
         ->add_option("--step", options->step,
-                     fmt::format("step of rk4 in dimensionless time (default {})", defaults::step))
+                     fmt::format("step of rk4 in dimensionless time, or in the variable of a problem (default {})",
+                                 defaults::step))
         ->type_name("H");
     command->add_option("--jobs", options->jobs, "number of threads (default: all cores)")->type_name("J");
     return {command, [options] { return run_trajectory(*options); },
