@@ -237,7 +237,7 @@ class Ball:
         return self._decided(f">= {other}", lower >= known[1], upper < known[0])
 
     def __bool__(self) -> bool:
-        """Whether it is not 0. Raises UndecidedError where it is not distinguished from 0."""
+        """Whether it differs from 0. Raises UndecidedError where it is not distinguished from 0."""
         lower, upper = self._ends()
         return self._decided("!= 0", lower > 0 or upper < 0, lower == upper == 0)
 

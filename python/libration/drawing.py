@@ -12,7 +12,7 @@ rows_shown = 60
 
 
 def imported(package: str, what: str) -> Any:
-    """A package that `what` needs, and that may be missing. Raises ModuleNotFoundError that says how it is installed."""
+    """A package that `what` needs, and that may be missing. Raises ModuleNotFoundError with the lines that install it."""
     try:
         return importlib.import_module(package)
     except ModuleNotFoundError:
