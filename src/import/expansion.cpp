@@ -18,7 +18,7 @@ using arguments = std::map<std::string, const ASTNode*>;
 using changed_formula = std::function<owned_node(const ASTNode&)>;
 
 template <class Element>
-void change(Element* of, const changed_formula& by) {
+void rewrite(Element* of, const changed_formula& by) {
     if (of != nullptr && of->getMath() != nullptr) {
         const owned_node made = by(*of->getMath());
         of->setMath(made.get());
@@ -28,21 +28,21 @@ void change(Element* of, const changed_formula& by) {
 // Of each element that has one, except function definitions.
 void change_formulas(Model& model, const changed_formula& by) {
     for (unsigned int i = 0; i < model.getNumRules(); ++i) {
-        change(model.getRule(i), by);
+        rewrite(model.getRule(i), by);
     }
     for (unsigned int i = 0; i < model.getNumReactions(); ++i) {
-        change(model.getReaction(i)->getKineticLaw(), by);
+        rewrite(model.getReaction(i)->getKineticLaw(), by);
     }
     for (unsigned int i = 0; i < model.getNumInitialAssignments(); ++i) {
-        change(model.getInitialAssignment(i), by);
+        rewrite(model.getInitialAssignment(i), by);
     }
     for (unsigned int i = 0; i < model.getNumEvents(); ++i) {
         Event& each = *model.getEvent(i);
-        change(each.getTrigger(), by);
-        change(each.getDelay(), by);
-        change(each.getPriority(), by);
+        rewrite(each.getTrigger(), by);
+        rewrite(each.getDelay(), by);
+        rewrite(each.getPriority(), by);
         for (unsigned int k = 0; k < each.getNumEventAssignments(); ++k) {
-            change(each.getEventAssignment(k), by);
+            rewrite(each.getEventAssignment(k), by);
         }
     }
 }
@@ -106,7 +106,7 @@ void promote_local_parameters(Model& model) {
             while (model.getElementBySId(name) != nullptr) {
                 name += "_";
             }
-            change(law, [&](const ASTNode& e) {
+            rewrite(law, [&](const ASTNode& e) {
                 owned_node made(e.deepCopy());
                 made->renameSIdRefs(local->getId(), name);
                 return made;
