@@ -76,8 +76,7 @@ TEST_CASE("a table is compared with the certificate of verify", "[command][verif
         return WEXITSTATUS(std::system(line.c_str()));
     };
     CHECK(compared("theirs.csv", "1e-7") == 1);
-    CHECK(
-        contains(text_of_file((folder.path() / "out")), "miss: x(2) = 0.909397 has an error of at least 9.96e-05"));
+    CHECK(contains(text_of_file((folder.path() / "out")), "miss: x(2) = 0.909397 has an error of at least 9.96e-05"));
     CHECK(compared("theirs.csv", "1e-4") == 0);
     std::ofstream(folder.path() / "more.csv") << "time,x,v\n1,0.841471,5\n";
     CHECK(compared("more.csv", "") == 2);

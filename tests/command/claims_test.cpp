@@ -75,7 +75,9 @@ TEST_CASE("claims are chosen by name, and printed in any format", "[command][cla
 }
 
 TEST_CASE("a claim that there is not is refused", "[command][claims]") {
-    check_refused({"claims", "nonsense"}, {"claims 'nonsense' is not a claim: see 'libration claims'"});
+    check_refused(
+        {"claims", "nonsense"},
+        {"claims 'nonsense' is neither the name of a claim nor a label of the paper: see 'libration claims'"});
 }
 
 TEST_CASE("cite prints BibTeX for the program and the paper", "[command]") {

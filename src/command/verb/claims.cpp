@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <optional>
 
@@ -30,7 +31,14 @@ std::vector<claim> chosen(const std::vector<std::string>& names) {
     for (const std::string& name : names) {
         const auto found = std::ranges::find(all, name, &claim::name);
         if (found == all.end()) {
-            throw input_error("claims", name, "is not a claim", "see 'libration claims'");
+            const auto before = result.size();
+            std::ranges::copy_if(all, std::back_inserter(result),
+                                 [&](const claim& each) { return each.label == name; });
+            if (result.size() > before) {
+                continue;
+            }
+            throw input_error("claims", name, "is neither the name of a claim nor a label of the paper",
+                              "see 'libration claims'");
         }
         result.push_back(*found);
     }
@@ -64,7 +72,8 @@ int run_claims(const claims_options& options) {
 subcommand claims_command(CLI::App& program) {
     const auto options = std::make_shared<claims_options>();
     CLI::App* command = program.add_subcommand("claims", "test the statements of the paper: verdict and number");
-    command->add_option("NAME", options->names, "these claims only; all without it");
+    command->add_option("NAME", options->names,
+                        "these claims, or those of a label of the paper such as fig:subcrit (default: all)");
     options->output.add_to(*command);
     command->add_option("--jobs", options->jobs, "number of threads (default: all cores)")->type_name("J");
     return {command, [options] { return run_claims(*options); }};
