@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "command/printed.hpp"
+#include "command/refusal.hpp"
 
 namespace command_study_test {
 
