@@ -425,6 +425,7 @@ class Claim:  # LOW <= NAME(TIME) <= HIGH, for all times from `first` to `last`
 class Problem:
     def __init__(self, reader):
         form(reader.line("libration-certificate") == "1", "not a certificate of version 1")
+        self.notes = "".join("\nNot checked: " + x for x in reader.all("note", MOST_DEFINITIONS))
         self.variable, self.t0_text, self.names = reader.line("variable"), reader.line("at"), []
         self.add_name(self.variable)
         self.t0 = fraction(self.t0_text)
@@ -499,7 +500,7 @@ class Problem:
         zeros = [sorted(zero, key=fraction) for zero in self.zeros]
         facts = ["    %s lies in [%s, %s]" % (x, *ends) for x, ends in zip(self.zero_names, zeros)]
         facts += ["    {1}({0}) lies in [{2}, {3}]".format(*x.fields) for x in self.claims]
-        return text + ",\n".join(facts) + ".\nThe variable is %s." % self.variable
+        return text + ",\n".join(facts) + ".\nThe variable is %s.%s" % (self.variable, self.notes)
 
 
 # ----------------------------------------------------------------------------- Polynomial form
@@ -967,8 +968,8 @@ def check_root(problems, rest):  # the statement of a root
     box = ", ".join("%s in [%s, %s]" % (x, *texts) for x, _, texts in unknowns)
     roots = ["    %s(%s) = %s" % (x, at, "%s(%s)" % (x, t0) if y == "start" else y)
              for _, x, y, *_ in goals]
-    parts = box, problems[1].head(ends.split(":")), ",\n".join(roots), point.variable
-    return "For exactly one choice of %s the %s%s.\nThe variable is %s." % parts
+    parts = box, problems[1].head(ends.split(":")), ",\n".join(roots), point.variable, point.notes
+    return "For exactly one choice of %s the %s%s.\nThe variable is %s.%s" % parts
 
 
 # ------------------------------------------------------------------------------------ The file
@@ -986,12 +987,14 @@ def text_of(content):  # the text of a certificate, of which a file is the compr
 
 
 def main():
+    if len(sys.argv) != 2:
+        print("usage: libration_check FILE")
+        return 2
     try:
-        form(len(sys.argv) == 2, "usage: libration_check FILE")
         with open(sys.argv[1], "rb") as file:
             print("Proved:\n" + check(text_of(file.read())))
     except (Refused, OSError) as reason:
-        print("Not proved:", reason if isinstance(reason, Refused) else "the file cannot be read")
+        print("Not proved: %s" % reason if isinstance(reason, Refused) else "cannot read the file")
         return getattr(reason, "status", 2)
     return 0
 

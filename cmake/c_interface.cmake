@@ -38,9 +38,26 @@ add_dependencies(libration-c libration-fortran)
 
 file(RELATIVE_PATH prefix_from_pkgconfig /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
 configure_file(cmake/libration.pc.in ${PROJECT_BINARY_DIR}/libration.pc @ONLY)
+# For C++: the static library, by its path, since the shared one of the same name exports the C interface only.
+set(flint_libraries -lflint)
+if(NOT FLINT_ARB_LIBRARY STREQUAL FLINT_LIBRARY)
+    cmake_path(GET FLINT_ARB_LIBRARY STEM arb_name)
+    string(REGEX REPLACE "^lib" "-l" flint_libraries "${arb_name} -lflint")
+endif()
+set(quadmath_library "")
+if(LIBRATION_HAS_QUADMATH)
+    set(quadmath_library " -lquadmath")
+endif()
+set(more_include_flags "")
+foreach(folder IN ITEMS ${Boost_INCLUDE_DIRS} ${FLINT_ARB_INCLUDE_DIR})
+    if(NOT folder STREQUAL "/usr/include")
+        string(APPEND more_include_flags " -isystem ${folder}")
+    endif()
+endforeach()
+configure_file(cmake/libration-c++.pc.in "${PROJECT_BINARY_DIR}/libration-c++.pc" @ONLY)
 install(TARGETS libration-c
     LIBRARY COMPONENT c_interface NAMELINK_COMPONENT headers)
 install(FILES include/libration.h ${fortran_module} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT headers)
-install(FILES ${PROJECT_BINARY_DIR}/libration.pc
+install(FILES ${PROJECT_BINARY_DIR}/libration.pc "${PROJECT_BINARY_DIR}/libration-c++.pc"
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
     COMPONENT headers)

@@ -19,7 +19,7 @@ if(NOT PROGRAM)
     return()
 endif()
 execute_process(COMMAND ${PREFIX}/${PROGRAM} --version COMMAND_ERROR_IS_FATAL ANY)
-foreach(needed IN ITEMS share/libration/studies/style.gp share/libration/studies/errata.md.in
+foreach(needed IN ITEMS share/libration/studies/style.gp share/libration/studies/errata.md.in share/libration/results/claims.csv
         share/doc/libration/README.md share/doc/libration/docs/tutorial.md share/doc/libration/docs/readers/read_table.py
         share/bash-completion/completions/libration)
     if(NOT EXISTS ${PREFIX}/${needed})

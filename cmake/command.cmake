@@ -172,6 +172,11 @@ install(DIRECTORY studies/
     DESTINATION ${installed_studies_dir}
     COMPONENT command
     FILES_MATCHING PATTERN "*.gp" PATTERN "*.md.in")
+# The published tables, with which `reproduce` compares its own.
+install(DIRECTORY results/
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/libration/results
+    COMPONENT command
+    FILES_MATCHING PATTERN "*.csv")
 install(FILES src/command/completion.bash
     DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
     RENAME libration

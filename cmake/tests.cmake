@@ -112,7 +112,7 @@ add_test(NAME cpp_example
 add_test(NAME equations_example
     COMMAND ${consumer}
         -D BUILD=${PROJECT_BINARY_DIR}/equations
-        -D README=${PROJECT_SOURCE_DIR}/docs/equations.md
+        -D README=${PROJECT_SOURCE_DIR}/docs/equations_cpp.md
         -P ${PROJECT_SOURCE_DIR}/cmake/check_consumer.cmake)
 add_test(NAME own_scalar
     COMMAND ${consumer}
@@ -127,6 +127,15 @@ add_test(NAME missing_operation
         -D COMPILER=${CMAKE_CXX_COMPILER}
         -D WORK=${PROJECT_BINARY_DIR}/missing_operation
         -P ${PROJECT_SOURCE_DIR}/cmake/check_missing_operation.cmake)
+# The first example of docs/cpp.md with the flags of pkg-config.
+add_test(NAME pkg_config
+    COMMAND ${CMAKE_COMMAND}
+        -D PREFIX=${installed}
+        -D PAGE=${PROJECT_SOURCE_DIR}/docs/cpp.md
+        -D CXX=${CMAKE_CXX_COMPILER}
+        -D "FLAGS=${consumer_flags}"
+        -D WORK=${PROJECT_BINARY_DIR}/pkg_config
+        -P ${PROJECT_SOURCE_DIR}/cmake/check_pkg_config.cmake)
 # The examples for C and Fortran, compiled with the installed files alone.
 add_test(NAME c_examples
     COMMAND ${CMAKE_COMMAND}
@@ -138,7 +147,7 @@ add_test(NAME c_examples
         -P ${PROJECT_SOURCE_DIR}/cmake/check_c_examples.cmake)
 set_tests_properties(c_examples PROPERTIES FIXTURES_REQUIRED installed TIMEOUT 120)
 set_tests_properties(install PROPERTIES FIXTURES_SETUP installed TIMEOUT 120)
-set_tests_properties(consumer consumer_of_balls consumer_without_flint cpp_example equations_example own_scalar PROPERTIES FIXTURES_REQUIRED installed TIMEOUT 600)
+set_tests_properties(consumer consumer_of_balls consumer_without_flint cpp_example equations_example own_scalar pkg_config PROPERTIES FIXTURES_REQUIRED installed TIMEOUT 600)
 
 add_test(NAME versions
     COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -P ${PROJECT_SOURCE_DIR}/cmake/check_versions.cmake)

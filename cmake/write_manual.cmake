@@ -22,6 +22,8 @@ function(write page description help)
     string(TOUPPER ${page} title)
     string(REGEX REPLACE "\n[.]TH [^ ]+ " "\n.TH ${title} " text "${text}")
     string(REGEX REPLACE "\n[.]SH NAME\nlibration " "\n.SH NAME\n${page} " text "${text}")
+    # The examples of --help keep their lines, so that they can be copied.
+    string(REGEX REPLACE "\n[.]SH EXAMPLES\n[.]IP\n((libration [^\n]*\n)+)" "\n.SH EXAMPLES\n.IP\n.nf\n\\1.fi\n" text "${text}")
     file(WRITE ${OUTPUT}/${page}.1 "${text}")
 endfunction()
 

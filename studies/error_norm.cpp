@@ -162,7 +162,9 @@ std::vector<table> rows_at(const sweep_energy& at, const std::vector<int>& order
 
 std::vector<scalar_spec> scalars_of(const study_request& request) {
     if (request.scalar) {
-        return {*request.scalar};
+        std::vector<scalar_spec> scalars{*request.scalar};
+        scalars.insert(scalars.end(), request.further_scalars.begin(), request.further_scalars.end());
+        return scalars;
     }
     return {read_scalar("ball:50", arithmetics::proved_too), read_scalar("double"), read_scalar("long-double"),
             read_scalar("quad")};
@@ -180,7 +182,8 @@ study_plan plan(const study_request& request) {
     const auto marches = marches_for(request);
     std::vector<study_table> tables;
     for (const scalar_spec& scalar : scalars) {
-        const bool alone = request.scalar || scalar.kind == scalar_kind::proved;
+        const bool alone =
+            request.scalar ? scalar.name() == request.scalar->name() : scalar.kind == scalar_kind::proved;
         tables.push_back(head_of(alone ? "" : scalar.name(), scalar, columns_of_pendulum()));
     }
     if (!marches.empty()) {
@@ -321,6 +324,7 @@ const study& error_norm() {
             no_answer_at_limits("the series is the constant 0", "the series is not defined: the period is infinite"),
         .plan = of_pendulum::plan,
         .offers = arithmetics::proved_too,
+        .several_scalars = true,
         .any_equation = equation_form{
             .plan = of_equation::plan,
             .title = "Error of the series and of its approximants",

@@ -217,13 +217,13 @@ typedef struct {
 } Equation;
 typedef struct {
     char *variable, *t0_text, *condition, *vary;
-    char **start, **definition;
+    char **start, **definition, **note;
     Equation* equation;
     Row* zero;
     Claim* claim;
     long equations, own, given, defined,
         n;  // own: unknowns of equations; given: with derivatives; n: all
-    long zeros, claims, steps, bits, start_bits, functions;
+    long notes, zeros, claims, steps, bits, start_bits, functions;
     Q t0, *ends;     // t0, and both times of each zero
     Names names;     // of the variable, and the unknowns in their order
     Poly* right;     // y_i' = right[i], i = 1 .. n, right[0] = 1; and g, g' behind them
@@ -295,6 +295,7 @@ Problem* check_one(char* text);
 
 /* statement.c */
 void print_head(const Problem* p, char** times, long count);
+void print_notes(const Problem* p);  // of the file for its reader, which are not checked
 void print_statement(const Problem* p);
 
 /* root.c */

@@ -1,4 +1,5 @@
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <zlib.h>
 
@@ -31,7 +32,10 @@ static int has_input(z_stream* z, FILE* file) {
     if (z->avail_in == 0) {
         z->next_in = input;
         z->avail_in = (uInt)fread(input, 1, sizeof input, file);
-        form(!ferror(file), "the file cannot be read");
+        if (ferror(file)) {
+            printf("cannot read the file\n");
+            exit(2);
+        }
     }
     return z->avail_in > 0;
 }
@@ -72,9 +76,15 @@ static char* decompressed(FILE* file) {
 
 int main(int arguments, char** argument) {
     begin_memory();
-    form(arguments == 2, "usage: libration_check FILE");
+    if (arguments != 2) {
+        printf("usage: libration_check FILE\n");
+        return 2;
+    }
     FILE* file = fopen(argument[1], "rb");
-    form(file != NULL, "the file cannot be read");
+    if (file == NULL) {
+        printf("cannot read the file\n");
+        return 2;
+    }
     check(decompressed(file));
     fclose(file);
     return 0;

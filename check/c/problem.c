@@ -195,6 +195,7 @@ Problem* read_problem(Reader* r) {
     Problem* p = take(sizeof *p);
     *p = (Problem){.n = 0};
     form(strcmp(line(r, "libration-certificate"), "1") == 0, "not a certificate of version 1");
+    p->note = all(r, "note", MOST_DEFINITIONS, &p->notes);
     p->variable = line(r, "variable");
     p->t0_text = line(r, "at");
     p->names.name = take((size_t)(2 * MOST_UNKNOWNS + MOST_DEFINITIONS + 1) * sizeof(Name));

@@ -251,6 +251,7 @@ static void print_root(const Root* r) {
             printf("%s", goal);
     }
     printf(".\nThe variable is %s.\n", point->variable);
+    print_notes(point);
 }
 
 void check_root(Problem** problem, long problems, char* rest) {

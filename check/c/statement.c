@@ -40,6 +40,11 @@ static void print_zeros(const Problem* p) {
     }
 }
 
+void print_notes(const Problem* p) {
+    for (long i = 0; i < p->notes; ++i)
+        printf("Not checked: %s\n", p->note[i]);
+}
+
 void print_statement(const Problem* p) {
     char** times = take((size_t)(2 * p->zeros + p->claims) * sizeof *times);
     long count = 0;
@@ -62,4 +67,5 @@ void print_statement(const Problem* p) {
         printf("    %s(%s) lies in [%s, %s]%s\n", c[1], c[0], c[2], c[3], end);
     }
     printf("The variable is %s.\n", p->variable);
+    print_notes(p);
 }

@@ -21,6 +21,7 @@ from .errors import ArgumentError, Fault, LibrationError, RangeError, UnableErro
 from .ivp import OdeResult, OdeSolution, solve_ivp
 from .motions import Motion, Samples, motion
 from .odefun import OdeFunction, odefun
+from .progress import show_progress
 from .problems import Branch, Derivatives, Problem, Radius, Singularities, catalogue, problem, radius
 from .solutions import Solution
 from .studies import Study, study, table
@@ -64,6 +65,7 @@ __all__ = [
     "odefun",
     "problem",
     "radius",
+    "show_progress",
     "solve_ivp",
     "study",
     "table",

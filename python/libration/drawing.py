@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import html
+import importlib
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -10,13 +11,20 @@ from typing import Any
 rows_shown = 60
 
 
+def imported(package: str, what: str) -> Any:
+    """A package that `what` needs, and that may be missing. Raises ModuleNotFoundError with the lines that install it."""
+    try:
+        return importlib.import_module(package)
+    except ModuleNotFoundError:
+        name = package.partition(".")[0]
+        raise ModuleNotFoundError(f"{what} needs {name}: apt install python3-{name}, or pip install {name}") from None
+
+
 def axes_of(ax: Any) -> Any:
     """The axes that are given, or new ones."""
     if ax is not None:
         return ax
-    import matplotlib.pyplot as pyplot
-
-    return pyplot.subplots()[1]
+    return imported("matplotlib.pyplot", "plot()").subplots()[1]
 
 
 def lines_of(x: Any, curves: Mapping[str, Any], name: str, ax: Any = None) -> Any:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import html
 import re
 import warnings
 from collections.abc import Mapping, Sequence
@@ -15,6 +16,8 @@ from .ball import Ball
 from .coefficients import texts_of_coefficients
 from .drawing import axes_of, table_of
 from .errors import UndecidedError, with_partial
+from .latex import latex_of, statements_of
+from .progress import with_progress
 from .solutions import Solution
 from .tables import Cell, Row, Table, number_of
 from .texts import digits_and_rigour, rigour_of, text_of, times_text
@@ -128,6 +131,17 @@ class Problem:
     def __repr__(self) -> str:
         return f"libration.Problem({self._text!r}, {self._settings!r})"
 
+    def latex(self) -> str:
+        """The statements as LaTeX, a line each in an environment `aligned`: with the changes behind them."""
+        lines = [latex_of(each) for each in statements_of(self._text) + statements_of(self._settings)]
+        return r"\begin{aligned}" + r" \\ ".join("& " + line for line in lines) + r"\end{aligned}"
+
+    def _repr_latex_(self) -> str:
+        return f"$\\displaystyle {self.latex()}$"
+
+    def _repr_html_(self) -> str:
+        return f"<div>{html.escape(self._repr_latex_(), quote=False)}</div>"
+
     def __reduce__(self) -> tuple[Any, ...]:
         return Problem, (self._text, self._settings)
 
@@ -150,6 +164,7 @@ class Problem:
         """The solution as an object that keeps the steps of its integration: for several questions about it."""
         return Solution(self)
 
+    @with_progress
     def reference(
         self,
         times: Any,
@@ -170,6 +185,7 @@ class Problem:
 
         def form(parts: Any) -> Row | Table:
             states = Table._of(parts)
+            states = states if exact else states.with_times_as_floats()
             return states[0] if alone else states
 
         if certificate is not None:
@@ -181,6 +197,7 @@ class Problem:
         except UndecidedError as problem:
             raise with_partial(problem, form) from None
 
+    @with_progress
     def derivatives(
         self, times: Any, by: str | Sequence[str], digits: int = 50, exact: bool = True
     ) -> Derivatives:
@@ -199,6 +216,7 @@ class Problem:
         except UndecidedError as problem:
             raise with_partial(problem, form) from None
 
+    @with_progress
     def conditions(self, times: Any, exact: bool = True) -> Table:
         """time and condition: the largest of (|t y'| + sum of |x dy/dx|)/max(1, |y|) over the unknowns y, x the initial
         values and parameters, three digits: the error amplification that no algorithm can avoid, as in verify()."""
@@ -207,6 +225,7 @@ class Problem:
         compared = Table._of(self._problem.verify(",".join(self.names), texts, values, "tolerance = 1"))
         return Table(["time", "condition"], list(zip(compared["time"], compared["condition"])))
 
+    @with_progress
     def enclosures(self, times: Any, digits: int = 50, parts: int = 64, exact: bool = True) -> Table:
         """Bounds of all solutions of a problem whose initial values or parameters are intervals, x="[0.9, 1.1]",
         b="1 +- 0.1", or of the single solution: at times, and over all times of a span, "0:10" or (0, 10), in a list. A
@@ -223,6 +242,7 @@ class Problem:
         except UndecidedError as problem:
             raise with_partial(problem, Table._of) from None
 
+    @with_progress
     def enclosed_events(self, condition: str, count: int = 1, digits: int = 50, parts: int = 64) -> Table:
         """Bounds of the first `count` events of all solutions of a problem whose initial values or parameters are
         intervals: a Table with the columns event, quantity ("time" and the unknowns), lower, upper, rounded outwards and
@@ -233,6 +253,7 @@ class Problem:
         except UndecidedError as problem:
             raise with_partial(problem, Table._of) from None
 
+    @with_progress
     def events(
         self, condition: str, count: int = 1, digits: int = 50, certificate: str | PathLike[str] | None = None
     ) -> Table:
@@ -265,6 +286,7 @@ class Problem:
         at a singular initial point, and for parameters that the equations require to be constant, such as exponents."""
         return trajectory_of(self._problem, times, starts, begin, threads, parameters)
 
+    @with_progress
     def coefficients(
         self, order: int, scalar: str = "ball:50", at: Any = None, via: Any = None, first: int = 0
     ) -> Table:
@@ -285,12 +307,14 @@ class Problem:
         Heuristic: radius_bounds() proves."""
         return radius_of(Table._of(self._problem.radius(order, digits)))
 
+    @with_progress
     def radius_bounds(self, digits: int = 12) -> tuple[Ball, Ball]:
         """Proved lower and upper bounds, upper - lower < lower 10^-digits; both inf if every solution is entire by
         the form of the equations. Raises UndecidedError with what is proved where that is less."""
         lower, upper = self._problem.radius_bounds(digits)
         return Ball._of(lower), Ball._of(upper)
 
+    @with_progress
     def singularities(self, within: Any = None, digits: int = 15, prove: bool = False) -> Singularities:
         """The singularities in the complex plane of time within a distance of the start, twice that of the nearest
         without it, on the branch that is reached straight. With prove the places are proved; kinds and exponents never
@@ -300,6 +324,7 @@ class Problem:
         found = Table._of(parts)
         return Singularities(found.names, found.cells, complete)
 
+    @with_progress
     def limits(self, digits: int = 50) -> Row:
         """The unknowns and their lower derivatives at infinite time, proved: at a stable equilibrium that the solution
         approaches, or by a lemma on the problem. Raises UndecidedError if neither is found, and for a value that is not
@@ -329,6 +354,7 @@ class Problem:
         along: str,
     ) -> Branch: ...
 
+    @with_progress
     def find(
         self,
         unknowns: str | Sequence[str],
@@ -360,6 +386,7 @@ class Problem:
             return _values(Table._of(self._problem.find_certificate(names, conditions, digits, fspath(certificate))))
         return _values(Table._of(self._problem.find(names, conditions, digits)))
 
+    @with_progress
     def orbit(self, digits: int = 50, certificate: str | PathLike[str] | None = None) -> dict[str, Ball]:
         """The periodic orbit near the initial values of an autonomous problem, each digit proved: the unknowns and
         their lower derivatives on a section, and the period.

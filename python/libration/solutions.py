@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from . import _libration
 from .ball import Ball
 from .errors import UndecidedError, with_partial
+from .progress import with_progress
 from .tables import Row, Table
 from .texts import digits_and_rigour, rigour_of, text_of, times_text
 
@@ -55,6 +56,7 @@ class Solution:
         """The number of steps that have been made for all questions up to now."""
         return self._solution.steps()
 
+    @with_progress
     def states(self, times: Any, digits: int = 50, rigour: str = "proved", exact: bool = True) -> Row | Table:
         """The unknowns and their lower derivatives at one time, or at a list of times as a Table: as
         Problem.reference(), which integrates anew each time."""
@@ -62,6 +64,7 @@ class Solution:
 
         def form(parts: Any) -> Row | Table:
             found = Table._of(parts)
+            found = found if exact else found.with_times_as_floats()
             return found[0] if alone else found
 
         try:
@@ -69,6 +72,7 @@ class Solution:
         except UndecidedError as problem:
             raise with_partial(problem, form) from None
 
+    @with_progress
     def events(
         self,
         condition: str,
@@ -93,6 +97,7 @@ class Solution:
         except UndecidedError as problem:
             raise with_partial(problem, Table._of) from None
 
+    @with_progress
     def coefficients(
         self, order: int, scalar: str = "ball:50", at: Any = None, via: Any = None, first: int = 0
     ) -> Table:
@@ -113,6 +118,7 @@ class Solution:
         """Proved bounds of the radius of convergence about the start, as Problem.radius_bounds()."""
         return self._of.radius_bounds(digits)
 
+    @with_progress
     def certificate(
         self,
         path: str | PathLike[str],

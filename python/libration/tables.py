@@ -6,8 +6,10 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Union
 
+import numpy as np
+
 from .ball import Ball, ball
-from .drawing import lines_of, table_of
+from .drawing import imported, lines_of, table_of
 from .errors import LibrationError
 
 Cell = Union[Ball, str]
@@ -21,6 +23,13 @@ def number_of(cell: Cell) -> float:
         except LibrationError:
             return math.nan
     return float(cell.fraction()) if "/" in cell.digits else float(cell.digits)
+
+
+def _as_float(cell: Cell) -> Cell:
+    """A time that was given as a double, m*2^(e) or 0x1.8p+0, as Python writes this double; other cells as they are."""
+    if not isinstance(cell, str):
+        return cell
+    return repr(float.fromhex(cell)) if "0x" in cell else repr(number_of(cell)) if "*2^(" in cell else cell
 
 
 class Row(Mapping[str, Cell]):
@@ -72,6 +81,12 @@ class Table(Sequence[Row]):
             return Table(self.names, self.cells[at])
         return Row(self.names, self.cells[at])
 
+    def with_times_as_floats(self) -> Table:
+        """Times that were given as doubles as Python writes them: 0.1, and not 3602879701896397*2^(-55)."""
+        places = [at for at, name in enumerate(self.names) if name == "time"]
+        cells = [[_as_float(cell) if at in places else cell for at, cell in enumerate(row)] for row in self.cells]
+        return Table(self.names, cells)
+
     def column(self, name: str) -> list[Cell]:
         """The cells of a column. Raises KeyError for a name that there is not."""
         if name not in self.names:
@@ -79,11 +94,22 @@ class Table(Sequence[Row]):
         at = self.names.index(name)
         return [row[at] for row in self.cells]
 
-    def frame(self) -> Any:
-        """A pandas DataFrame of the same cells, dtype object."""
-        import pandas
+    def to_numpy(self, *names: str) -> np.ndarray:
+        """The columns with these names, by default all, as doubles: an array with a row for each row of the table; nan for
+        texts that are no numbers."""
+        columns = [[number_of(cell) for cell in self.column(name)] for name in names or self.names]
+        return np.array(columns, dtype=float).reshape(len(columns), len(self.cells)).T
 
-        return pandas.DataFrame(self.cells, columns=self.names, dtype=object)
+    def frame(self, floats: bool = False) -> Any:
+        """A pandas DataFrame: times as floats, the other cells as they are, dtype object; with floats=True all columns of
+        numbers as floats."""
+        pandas = imported("pandas", "frame()")
+        made = pandas.DataFrame(self.cells, columns=self.names, dtype=object)
+        for at, name in enumerate(self.names):
+            values = self.to_numpy(name)[:, 0] if floats or name == "time" else np.array([math.nan])
+            if not np.isnan(values).any():
+                made.isetitem(at, values)
+        return made
 
     def plot(self, x: str | None = None, y: str | None = None, ax: Any = None) -> Any:
         """Draws y, by default every column of numbers, against x, by default the first of them, and returns the axes of

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from .drawing import lines_of, table_of
+from .drawing import imported, lines_of, table_of
 
 
 class Trajectory:
@@ -38,8 +38,7 @@ class Trajectory:
 
     def frame(self) -> Any:
         """A pandas DataFrame with the columns time and the names, of many starts also start, their number."""
-        import pandas
-
+        pandas = imported("pandas", "frame()")
         if self.values.ndim == 2:
             return pandas.DataFrame({"time": self.times, **{name: self[name] for name in self.names}})
         count = len(self.values)

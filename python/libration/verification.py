@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import os
-from collections.abc import Iterable
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -20,7 +20,7 @@ _times = ("time", "t")
 
 class Verdicts(Table):
     """A row for each that was compared: time, verdict (ok or miss), condition, and for each name NAME_reference (proved),
-    NAME_error and NAME_correct_digits."""
+    NAME_error and NAME_correct_digits; of times in double also time_as_double, as C's %a writes them."""
 
     @property
     def misses(self) -> int:
@@ -35,7 +35,15 @@ class Verdicts(Table):
         return f"{len(self)} rows, {self.misses} miss\n{self}"
 
 
-def _columns(data: Any) -> dict[str, list[Any]]:
+def _columns_of_solution(solution: Any, names: Sequence[str]) -> dict[str, list[Any]]:
+    """What solve_ivp returns: a row of `y` for each unknown."""
+    rows = np.atleast_2d(np.asarray(solution.y))
+    if len(rows) != len(names):
+        raise ValueError(f"the solution has {len(rows)} unknowns, and the problem has {len(names)}: {', '.join(names)}")
+    return {"time": list(np.asarray(solution.t)), **{name: list(row) for name, row in zip(names, rows)}}
+
+
+def _columns(data: Any, names: Sequence[str]) -> dict[str, list[Any]]:
     if isinstance(data, (str, os.PathLike)):
         with open(data, newline="", encoding="utf-8") as file:
             rows = list(csv.reader(line for line in file if not line.startswith("#")))
@@ -45,6 +53,8 @@ def _columns(data: Any) -> dict[str, list[Any]]:
         if any(len(row) != len(names) for row in rows[1:]):
             raise ValueError(f"{data} has rows of other lengths than its header")
         return {name: [row[i].strip() for row in rows[1:]] for i, name in enumerate(names)}
+    if hasattr(data, "t") and hasattr(data, "y"):
+        return _columns_of_solution(data, names)
     if isinstance(data, Table):
         return {name: data.column(name) for name in data.names}
     if hasattr(data, "columns"):
@@ -75,7 +85,7 @@ def _rules(tolerance: Any, relative: Any, ulp: Any, rounding: bool, modulo_2pi: 
     return "; ".join(rules + ["rounding = half"] * rounding + ["modulo = 2pi"] * modulo_2pi)
 
 
-def _names(columns: dict[str, list[Any]], offered: Iterable[str]) -> tuple[str, list[str]]:
+def _names(columns: dict[str, list[Any]], offered: Sequence[str]) -> tuple[str, list[str]]:
     time = next((name for name in _times if name in columns), None)
     if time is None:
         raise ValueError(f"there is no column time: the columns are {', '.join(columns)}")
@@ -99,7 +109,8 @@ def verify(
     """Compares a table with a motion (columns time, theta, perhaps omega) or a problem (time, some of its names), which
     may be a text or a name as problem() takes them.
 
-    data is a DataFrame, the path of a CSV file, a Table or a mapping of columns. Values and times in double count as
+    data is a DataFrame, the path of a CSV file, a Table, a mapping of columns, or the result of solve_ivp, of SciPy or of this
+    package, whose rows are the unknowns in the order of the names. Values and times in double count as
     the exact numbers that they are; texts as they are written. Without a tolerance it is one unit of the last digit as
     written (half of it with `rounding`, for printed tables), of a double its last bit, of a column of doubles in decimal
     ("%.18e") half a unit in their last place; times in such a column are these doubles; `ulp` counts units in the last
@@ -112,11 +123,16 @@ def verify(
         problem = problem_of(problem)
     if not isinstance(problem if motion is None else motion, (Motion, Problem)):
         raise TypeError("a motion is made by motion(), a problem by problem()")
-    columns = _columns(data)
+    offered = ("theta", "omega") if problem is None else problem.names
+    columns = _columns(data, offered)
     target: Any = motion._motion if motion is not None else problem._problem  # type: ignore[union-attr]
-    time, names = _names(columns, ("theta", "omega") if problem is None else problem.names)
+    time, names = _names(columns, offered)
     times = ",".join(_written(each) for each in columns[time])
     values = ",".join(_written(columns[name][row]) for row in range(len(columns[time])) for name in names)
     found = target.verify(",".join(names), times, values, _rules(tolerance, relative, ulp, rounding, modulo_2pi))
     made = Table._of(found)
-    return Verdicts(made.names, made.cells)
+    if not any(isinstance(each, (float, np.floating)) for each in columns[time]):
+        return Verdicts(made.names, made.cells)
+    doubles = [str(cell) for cell in made.column("time")]
+    shown = made.with_times_as_floats()
+    return Verdicts([*made.names, "time_as_double"], [[*row, double] for row, double in zip(shown.cells, doubles)])

@@ -119,7 +119,7 @@ private:
             return child(e, first);
         }
         if (first >= e.getNumChildren()) {
-            throw unsupported("a piecewise function without a value for all other cases");
+            return {"0"};  // a comment of the problem states it
         }
         return {fmt::format("if({}, {}, {})", condition(operand(e, first + 1)).text, child(e, first).text,
                             piecewise(e, first + 2).text)};

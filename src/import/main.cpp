@@ -1,7 +1,6 @@
 // libration-import FILE: prints a model in SBML as a problem of libration. Exit status: 2 if it cannot be read or
 // expressed.
 #include <sbml/SBMLTypes.h>
-#include <sbml/conversion/ConversionProperties.h>
 
 #include <fmt/format.h>
 
@@ -10,6 +9,7 @@
 #include <memory>
 #include <string>
 
+#include "expansion.hpp"
 #include "formula.hpp"
 #include "model_text.hpp"
 
@@ -24,18 +24,10 @@ std::string first_error(const SBMLDocument& document) {
         const SBMLError& each = *document.getError(i);
         if (each.isError() || each.isFatal()) {
             std::string message = each.getShortMessage();
-            return message.empty() ? each.getMessage() : message;
+            return fmt::format("line {}: {}", each.getLine(), message.empty() ? each.getMessage() : message);
         }
     }
     return {};
-}
-
-void expand(SBMLDocument& document, const std::string& what) {
-    ConversionProperties how;
-    how.addOption(what, true);
-    if (document.convert(how) != LIBSBML_OPERATION_SUCCESS) {
-        throw unsupported("functions or local parameters that libsbml cannot expand");
-    }
 }
 
 std::string text_of(const std::string& file) {
@@ -46,9 +38,10 @@ std::string text_of(const std::string& file) {
     if (document->getModel() == nullptr) {
         throw std::runtime_error("contains no model: give one that does");
     }
-    expand(*document, "expandFunctionDefinitions");
-    expand(*document, "promoteLocalParameters");
-    return libration::import::model_text(*document->getModel());
+    Model& model = *document->getModel();
+    libration::import::expand_functions(model);
+    libration::import::promote_local_parameters(model);
+    return libration::import::model_text(model);
 }
 
 }  // namespace

@@ -8,7 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "expansion.hpp"
 #include "formula.hpp"
+#include "model_units.hpp"
 #include "names.hpp"
 
 namespace libration::import {
@@ -28,7 +30,7 @@ struct quantity {
 
 class model_reader {
 public:
-    explicit model_reader(const Model& model) : model_(model) {
+    explicit model_reader(Model& model) : model_(model) {
         read_quantities();
         read_rules();
         read_reactions();
@@ -56,8 +58,11 @@ public:
             write_event(*model_.getEvent(i));
         }
         const std::string name = model_.isSetName() ? model_.getName() : model_.getId();
-        return fmt::format("# {}\n{}{}{}{}", name.empty() ? "A model in SBML" : name, equations_, initial_values(),
-                           definitions_, events_);
+        const std::string open =
+            has_open_piecewise(model_) ? "# piecewise functions without a value for all other cases are 0 there\n" : "";
+        return fmt::format("# {}\n{}{}{}{}{}{}", name.empty() ? "A model in SBML" : name,
+                           units_line(model_, order_, names_), open, equations_, initial_values(), definitions_,
+                           events_);
     }
 
 private:
@@ -159,17 +164,18 @@ private:
     void read_events() {
         for (unsigned int i = 0; i < model_.getNumEvents(); ++i) {
             const Event& each = *model_.getEvent(i);
-            if (each.isSetDelay()) {
-                throw unsupported("an event with a delay");
-            }
-            if (each.isSetPriority()) {
-                throw unsupported("an event with a priority");
+            const std::string name = "the event " + (each.isSetId() ? "'" + each.getId() + "'" : std::to_string(i + 1));
+            if (each.isSetPriority() && model_.getNumEvents() > 1) {
+                throw unsupported("a priority of " + name);
             }
             if (!each.isSetTrigger() || each.getTrigger()->getMath() == nullptr) {
-                throw unsupported("an event without a trigger");
+                throw unsupported(name + " without a trigger");
+            }
+            if (each.isSetDelay() && each.getTrigger()->isSetPersistent() && !each.getTrigger()->getPersistent()) {
+                throw unsupported("a delay that the trigger of " + name + " may end");
             }
             if (each.getTrigger()->isSetInitialValue() && !each.getTrigger()->getInitialValue()) {
-                throw unsupported("an event that may happen at the initial time");
+                throw unsupported(name + ", which may happen at the initial time");
             }
             for (unsigned int k = 0; k < each.getNumEventAssignments(); ++k) {
                 quantity& of = quantity_of(each.getEventAssignment(k)->getVariable());
@@ -370,21 +376,53 @@ private:
 
     void write_event(const Event& of) {
         const auto name = [this](const std::string& id, const occurrence& where) { return meaning(id, where); };
-        events_ += fmt::format("when {}:", condition_of(*of.getTrigger()->getMath(), name));
+        const std::string trigger = condition_of(*of.getTrigger()->getMath(), name);
+        if (of.isSetDelay() && of.getDelay()->getMath() != nullptr) {
+            return write_delayed_event(of, trigger);
+        }
+        events_ += fmt::format("when {}:", trigger);
         for (unsigned int k = 0; k < of.getNumEventAssignments(); ++k) {
             const EventAssignment& each = *of.getEventAssignment(k);
-            const quantity& changed = quantities_.at(each.getVariable());
-            if (changed.species != nullptr && changed.how == change::by_reactions && is_concentration(changed) &&
-                !in_constant_volume(changed)) {
-                throw unsupported("an event for a species in a compartment that varies");
-            }
-            events_ +=
-                fmt::format("{} {} = {}", k == 0 ? "" : ";", names_.of(each.getVariable()), now(*each.getMath()).text);
+            events_ += fmt::format("{} {} = {}", k == 0 ? "" : ";", changed_by_event(each), now(*each.getMath()).text);
         }
         events_ += "\n";
     }
 
-    const Model& model_;
+    const std::string& changed_by_event(const EventAssignment& of) {
+        const quantity& changed = quantities_.at(of.getVariable());
+        if (changed.species != nullptr && changed.how == change::by_reactions && is_concentration(changed) &&
+            !in_constant_volume(changed)) {
+            throw unsupported("an event for a species in a compartment that varies");
+        }
+        return names_.of(of.getVariable());
+    }
+
+    // Further unknowns, which events alone change: the time of execution, set by the trigger, and, if they are those at the trigger,
+    // the assigned values. The solution ends where the trigger holds again before.
+    void write_delayed_event(const Event& of, const std::string& trigger) {
+        const std::string execution = names_.free("execution_" + (of.isSetId() ? of.getId() : std::string("of_event")));
+        const std::string waiting = names_.free("waiting_" + (of.isSetId() ? of.getId() : std::string("event")));
+        write_unknown(execution, "0", "-1");
+        write_unknown(waiting, "0", "0");
+        std::string at_trigger = fmt::format("when {}: {} = t + {}; {} = {} + 1", trigger, execution,
+                                             now(*of.getDelay()->getMath()).within(binding::product), waiting, waiting);
+        std::string at_execution = fmt::format("when t = {} up: {} = 0", execution, waiting);
+        const bool keeps_values = !of.isSetUseValuesFromTriggerTime() || of.getUseValuesFromTriggerTime();
+        for (unsigned int k = 0; k < of.getNumEventAssignments(); ++k) {
+            const EventAssignment& each = *of.getEventAssignment(k);
+            std::string value = now(*each.getMath()).text;
+            if (keeps_values) {
+                const std::string kept = names_.free(fmt::format("{}_{}", names_.of(each.getVariable()), execution));
+                write_unknown(kept, "0", "0");
+                at_trigger += fmt::format("; {} = {}", kept, value);
+                value = kept;
+            }
+            at_execution += fmt::format("; {} = {}", changed_by_event(each), value);
+        }
+        events_ += fmt::format("{}\n{}\nwhen ({}) and {} > 1/2: stop\n", at_trigger, at_execution, trigger, waiting);
+    }
+
+    Model& model_;
     problem_names names_;
     std::vector<std::string> order_;  // of the quantities, as in the model
     std::map<std::string, quantity> quantities_;
@@ -396,6 +434,6 @@ private:
 
 }  // namespace
 
-std::string model_text(const Model& model) { return model_reader(model).text(); }
+std::string model_text(Model& model) { return model_reader(model).text(); }
 
 }  // namespace libration::import

@@ -10,8 +10,8 @@ LIBSBML_CPP_NAMESPACE_USE
 namespace libration::import {
 
 /// The text of a problem with the solution of the model: reactions, rate, assignment and algebraic rules, constant
-/// delays, events without delay. A species is its concentration, or its amount if the model states so. Functions and local parameters have to
-/// be expanded before. Throws unsupported.
-std::string model_text(const Model& model);
+/// delays, events, also with a delay. A species is its concentration, or its amount if the model states so. Functions and local
+/// parameters have to be expanded before. Throws unsupported.
+std::string model_text(Model& model);
 
 }  // namespace libration::import

@@ -56,6 +56,35 @@ TEST_CASE("a relaxation oscillation has a certificate beyond its jump", "[comman
     CHECK(contains(proved.out, "x(1) lies in [-1.86364625480813388"));
 }
 
+// x = sin(t) at 1 and 2; the second value misses. check/compare.py reads the table beside the certificate.
+TEST_CASE("a table is compared with the certificate of verify", "[command][verify][certificate]") {
+    const temporary_folder folder;
+    std::ofstream(folder.path() / "theirs.csv") << "time,x\n1,0.841471\n2,0.909397\n";
+    const auto done = run_libration({"verify", "theirs.csv", "--problem", "x'' = -x; x(0) = 0; x'(0) = 1",
+                                     "--tolerance", "1e-7", "--certificate", "a.cert"},
+                                    folder.path());
+    INFO(done.err);
+    CHECK(done.exit_code == 1);
+    const auto proved = checked(folder.path() / "a.cert");
+    INFO(proved.out);
+    CHECK(proved.exit_code == 0);
+    CHECK(contains(proved.out, "x(2) lies in [0.909297426"));
+    const auto compared = [&](const std::string& table, const std::string& tolerance) {
+        const std::string line = "cd '" + folder.path().string() +
+                                 "' && python3 -I " LIBRATION_SOURCE_DIR "/check/compare.py a.cert " + table + " " +
+                                 tolerance + " >out 2>&1";
+        return WEXITSTATUS(std::system(line.c_str()));
+    };
+    CHECK(compared("theirs.csv", "1e-7") == 1);
+    CHECK(contains(text_of_file((folder.path() / "out")), "miss: x(2) = 0.909397 has an error of at least 9.96e-05"));
+    CHECK(compared("theirs.csv", "1e-4") == 0);
+    std::ofstream(folder.path() / "more.csv") << "time,x,v\n1,0.841471,5\n";
+    CHECK(compared("more.csv", "") == 2);
+    CHECK(contains(text_of_file((folder.path() / "out")), "the column v is none of x, x'"));
+    std::ofstream(folder.path() / "later.csv") << "time,x\n3,0.1\n";
+    CHECK(compared("later.csv", "") == 2);
+}
+
 TEST_CASE("a changed certificate is refused by the checker", "[command][reference][certificate]") {
     const temporary_folder folder;
     const auto done = run_libration(

@@ -101,4 +101,9 @@ TEST_CASE("what find does not accept is shown as it would be accepted", "[comman
     check_refused({"find", "--problem", "van_der_pol", "--periodic", "--guess", "x(0)=1"}, {"--guess", "--set"});
 }
 
+TEST_CASE("an unknown without a first value is reported with the option that gives one", "[command][find]") {
+    check_refused({"find", "--problem", "x' = k*x; x(0) = 1", "--unknown", "k", "--such-that", "x(1) = 2"},
+                  {"--unknown 'k' has no first value from which the search begins: add --guess k=1"});
+}
+
 }  // namespace command_find_test

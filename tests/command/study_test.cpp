@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "command/printed.hpp"
+#include "command/refusal.hpp"
 
 namespace command_study_test {
 
@@ -276,6 +277,26 @@ TEST_CASE("a study that is ended while it draws leaves no folder of its own, and
     run_libration(small + words{"--scalar", "quad"}, folder.path());
     CHECK(files_of(folder) == files_of_one_table);
     CHECK(text_of_file(folder.path() / "out/error_norm/error_norm.csv") == csv);
+}
+
+TEST_CASE("several arithmetics are in one run of a study", "[command][study]") {
+    const temporary_folder folder;
+    const auto done = run_libration({"study", "error_norm", "--energies", "1.71", "--orders", "4", "--step", "1e-2",
+                                     "--scalar", "double,mpfr:20", "--out", "out"},
+                                    folder.path());
+    INFO(done.err);
+    REQUIRE(done.exit_code == 0);
+    const auto first = csv_rows(text_of_file((folder.path() / "out/error_norm/error_norm.csv")));
+    const auto second = csv_rows(text_of_file((folder.path() / "out/error_norm/error_norm_double.csv")));
+    REQUIRE(first.size() == second.size());
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        CHECK(first[i].at("scalar") == "mpfr:20");
+        CHECK(second[i].at("scalar") == "double");
+        // Norms near 1e-2 in double, whose operations number some hundreds.
+        CHECK(abs(number_of(first[i].at("norm")) - number_of(second[i].at("norm"))) < number_of("1e-12"));
+    }
+    check_refused({"study", "domb_sykes", "--scalar", "double,mpfr:20"},
+                  {"--scalar 'double,mpfr:20' is a list, and this study takes one arithmetic at a time"});
 }
 
 }  // namespace command_study_test

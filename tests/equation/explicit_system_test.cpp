@@ -191,4 +191,13 @@ TEST_CASE("partial derivatives follow the rules of each function", "[ode][expres
     CHECK(partial(unknown("u", 1), u).is(0));
 }
 
+TEST_CASE("parameters are set to the exact numbers of texts", "[ode]") {
+    ode::equation_system system = ode::parse("x' = -k*x; x(0) = 1; k = 1");
+    system.set("k", "0.1");
+    CHECK(system.parameter_of("k")->value.fraction() == rational(1, 10));
+    system.set("k", std::string("2/3")).set("k", 0);
+    CHECK(system.parameter_of("k")->value.fraction() == rational(0));
+    CHECK_THROWS_AS(system.set("k", "much"), error);
+}
+
 }  // namespace equation_explicit_system_test

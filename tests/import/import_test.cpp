@@ -176,6 +176,70 @@ TEST_CASE("delays of a model are those of a problem", "[import]") {
     check_refused({"import", "model.xml"}, {"contains a delay that varies, which is not supported"}, folder);
 }
 
+// x' = twice(k) in a reaction with its own k = 3, although the model has another k; y = 0 from t = 1 on.
+TEST_CASE("functions, local parameters, units and open piecewise functions of a model are imported", "[import]") {
+    const std::string math = R"(<math xmlns="http://www.w3.org/1998/Math/MathML">)";
+    const std::string time =
+        R"(<csymbol encoding="text" definitionURL="http://www.sbml.org/sbml/symbols/time">t</csymbol>)";
+    const temporary_folder folder;
+    file_with(
+        folder,
+        "<listOfFunctionDefinitions><functionDefinition id=\"twice\">" + math +
+            "<lambda><bvar><ci>x</ci></bvar><apply><times/><cn>2</cn><ci>x</ci></apply></lambda></math>"
+            "</functionDefinition></listOfFunctionDefinitions>"
+            "<listOfCompartments><compartment id=\"c\" size=\"1\" constant=\"true\"/></listOfCompartments>"
+            "<listOfSpecies><species id=\"x\" compartment=\"c\" initialAmount=\"0\" hasOnlySubstanceUnits=\"true\" "
+            "boundaryCondition=\"false\" constant=\"false\" substanceUnits=\"mole\"/></listOfSpecies>"
+            "<listOfParameters><parameter id=\"k\" value=\"100\" constant=\"true\"/>"
+            "<parameter id=\"y\" value=\"0\" constant=\"false\" units=\"second\"/></listOfParameters>"
+            "<listOfRules><rateRule variable=\"y\">" +
+            math + "<piecewise><piece><cn>1</cn><apply><lt/>" + time +
+            "<cn>1</cn></apply></piece></piecewise></math></rateRule></listOfRules>"
+            "<listOfReactions><reaction id=\"r\" reversible=\"false\"><listOfProducts><speciesReference species=\"x\" "
+            "stoichiometry=\"1\" constant=\"true\"/></listOfProducts><kineticLaw>" +
+            math +
+            "<apply><ci>twice</ci><ci>k</ci></apply></math><listOfLocalParameters><localParameter id=\"k\" "
+            "value=\"3\"/>"
+            "</listOfLocalParameters></kineticLaw></reaction></listOfReactions>");
+    const std::string text = output_of({"import", (folder.path() / "model.xml").string()});
+    INFO(text);
+    CHECK(text.find("# units: x in mole, y in second\n") != std::string::npos);
+    CHECK(text.find("# piecewise functions without a value for all other cases are 0 there\n") != std::string::npos);
+    CHECK(text.find("r = 2*r_k\n") != std::string::npos);
+    const std::string values = output_of({"reference", "--problem", text, "--time", "2", "--digits", "12"});
+    CHECK(values.find("x         12.0000000000\n") != std::string::npos);
+    CHECK(values.find("y         1.00000000000\n") != std::string::npos);
+}
+
+// At x = 1 the value 10 x = 10 is kept, and assigned at 1 + 1/2, when x is 3/2.
+TEST_CASE("an event with a delay is executed later", "[import]") {
+    const std::string math = R"(<math xmlns="http://www.w3.org/1998/Math/MathML">)";
+    const auto model = [&](const std::string& use) {
+        return "<listOfParameters><parameter id=\"x\" value=\"0\" constant=\"false\"/><parameter id=\"y\" value=\"0\" "
+               "constant=\"false\"/></listOfParameters><listOfRules><rateRule variable=\"x\">" +
+               math +
+               "<cn>1</cn></math></rateRule></listOfRules><listOfEvents><event id=\"late\" "
+               "useValuesFromTriggerTime=\"" +
+               use + "\"><trigger initialValue=\"true\" persistent=\"true\">" + math +
+               "<apply><gt/><ci>x</ci><cn>1</cn></apply></math></trigger><delay>" + math +
+               "<cn>0.5</cn></math></delay><listOfEventAssignments><eventAssignment variable=\"y\">" + math +
+               "<apply><times/><cn>10</cn><ci>x</ci></apply></math></eventAssignment></listOfEventAssignments></event>"
+               "</listOfEvents>";
+    };
+    const temporary_folder folder;
+    const auto y_at = [&](const std::string& use, const std::string& time) {
+        file_with(folder, model(use));
+        const std::string text = output_of({"import", (folder.path() / "model.xml").string()});
+        INFO(text);
+        const auto rows =
+            rows_of({"reference", "--problem", text, "--time", time, "--digits", "12", "--format", "csv"});
+        return rows.at(0).at("y");
+    };
+    CHECK(y_at("true", "1.25") == "0");
+    CHECK(number_of(y_at("true", "2")) == 10);
+    CHECK(number_of(y_at("false", "2")) == 15);
+}
+
 TEST_CASE("what a problem cannot express is reported", "[import]") {
     const temporary_folder folder;
     check_refused({"import", "none.xml"}, {"FILE 'none.xml' is not read"}, folder);

@@ -1,6 +1,7 @@
 // Certificates of roots: check/libration_check.py, a program in integers, proves that there is exactly one. Tests of other
 // certificates are those of the command (tests/command/certificate_test.cpp).
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "command/temporary_folder.hpp"
 #include "libration/problem/certificate.hpp"
 #include "libration/problem/find.hpp"
+#include "libration/problem/solution.hpp"
 #include "libration/scalar/enclose.hpp"
 
 namespace problem_certificate_test {
@@ -61,6 +63,39 @@ TEST_CASE("the certificate of a root of an equation with functions is proved", "
     INFO(proved.out);
     CHECK(proved.exit_code == 0);
     CHECK(contains(proved.out, "y(1/2) = 1/2."));
+}
+
+// The restricted three-body problem: 1/r^3 for r = sqrt(u) is a polynomial in u^(-1/2), so that the form has 6 unknowns; the
+// Jacobi constant at the end is that of the start.
+TEST_CASE("a certificate of roots of sums has few unknowns", "[problem][certificate]") {
+    const problem of(
+        "x'' = 2*y' + x - (1 - m)*(x + m)/r1^3 - m*(x - 1 + m)/r2^3; y'' = -2*x' + y - (1 - m)*y/r1^3 - m*y/r2^3;"
+        "r1 = sqrt((x + m)^2 + y^2); r2 = sqrt((x - 1 + m)^2 + y^2); m = 0.01215;"
+        "x(0) = 0.8; x'(0) = 0; y(0) = 0; y'(0) = 0.126");
+    const ode::explicit_system system(of.equations());
+    const request how = proved_digits(10);
+    const auto found = solve(of, {.general = true})->states("1", how);
+    std::vector<std::string> row;
+    for (const std::string& name : ode::names_of_state(system)) {
+        row.push_back(found.at(0, name));
+    }
+    const auto jacobi = [](double x, double u, double y, double v) {
+        const double m = 0.01215;
+        return x * x + y * y + 2 * (1 - m) / std::hypot(x + m, y) + 2 * m / std::hypot(x - 1 + m, y) - u * u - v * v;
+    };
+    const std::vector<std::string> order = ode::names_of_state(system);
+    REQUIRE(order == std::vector<std::string>{"x", "x'", "y", "y'"});
+    // 10 digits of numbers below 1, times derivatives below 10.
+    CHECK(std::abs(jacobi(std::stod(row[0]), std::stod(row[1]), std::stod(row[2]), std::stod(row[3])) -
+                   jacobi(0.8, 0, 0, 0.126)) < 1e-8);
+    const auto content =
+        certificate_of_states(system, {read_exact("1")}, {{row}, 10}, how, {"r1 = sqrt((x + m)^2 + y^2)", "\xce\xbc"});
+    CHECK(content.size() < 12'000);
+    const auto proved = checked_content(content);
+    INFO(proved.out);
+    CHECK(proved.exit_code == 0);
+    CHECK(contains(proved.out, "*((x + 243/20000)^2 + y^2)^(-3/2)"));
+    CHECK(contains(proved.out, "\nNot checked: r1 = sqrt((x + m)^2 + y^2)\nNot checked: ??\n"));
 }
 
 // The period of van der Pol's equation in the catalogue [PROBLEMS].

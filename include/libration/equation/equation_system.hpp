@@ -4,6 +4,8 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "libration/equation/expression.hpp"
@@ -156,6 +158,12 @@ struct equation_system {
     equation_system& before(const expression& of, const expression& value, const expression& point = 0);
     /// Adds a parameter, or changes its value.
     equation_system& set(const std::string& name, const expression& value);
+    /// The same with the exact number of a text: "0.1" is 1/10; also "sqrt(2)", "pi/3". Throws error as read_exact().
+    template <class Text>
+    requires std::is_convertible_v<Text, std::string_view> equation_system& set(const std::string& name,
+                                                                                const Text& value) {
+        return set_to_text(name, value);
+    }
     /// of(point) = every number from lower to upper.
     equation_system& begin_between(const expression& of, const expression& lower, const expression& upper,
                                    const expression& point = 0);
@@ -184,6 +192,9 @@ struct equation_system {
     bool has_delays() const { return !delays.empty() || !histories.empty(); }
     /// Whether it is a system of ordinary differential equations with one smooth right-hand side.
     bool is_ordinary() const { return is_smooth() && !has_delays(); }
+
+private:
+    equation_system& set_to_text(const std::string& name, std::string_view value);
 };
 
 /// The name of an initial value, x'(0), by which a set refers to it.

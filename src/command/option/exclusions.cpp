@@ -63,8 +63,8 @@ const rules reference_rules{
     {"--until", "!--problem", "requires --problem", "leave it out, or write --problem pendulum"},
     {"--count --crossing --before --horizon --from-start --how-many", "!--until", "requires --until", add_until},
     {"--over --parts", "!--problem", "requires --problem", add_problem},
-    {"--motions --columns --jobs", "--problem", "does not apply to --problem"},
-    {"--columns", "!--motions", "requires --motions"},
+    {"--motions --rename --jobs", "--problem", "does not apply to --problem"},
+    {"--rename", "!--motions", "requires --motions"},
     {"--times", "--until", "is given together with --until, which finds the times", "leave one out"},
     {"--over", "--times|--until", "is given together with --times or --until", "leave one out"},
     {"--derivatives --trace", "--until", "has no meaning for --until, which finds the times itself"},
@@ -156,6 +156,7 @@ const rules find_rules{
 };
 
 const rules verify_rules{
+    {"--certificate", "!--problem", "is of the solution of a --problem", add_problem},
     {"--problem --columns --tolerance --relative --ulp --rounding --inputs", "--coefficients",
      "is about the rows of a table, not about --coefficients"},
     {"FILE", "--coefficients", "is given together with --coefficients", leave_one},

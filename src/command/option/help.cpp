@@ -1,6 +1,10 @@
 #include "option/help.hpp"
 
+#include <sys/ioctl.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <memory>
 #include <sstream>
@@ -13,8 +17,21 @@ namespace libration {
 
 namespace {
 
-constexpr std::size_t last_column = 100;
+constexpr std::size_t widest_column = 100;
+constexpr std::size_t narrowest_column = 50;
 constexpr std::size_t help_column = 30;
+
+// The last column of a line: that of the terminal, or of COLUMNS, if it is narrower than the usual one.
+std::size_t last_column() {
+    winsize window{};
+    std::size_t columns = widest_column;
+    if (const char* const given = std::getenv("COLUMNS"); given != nullptr) {
+        columns = std::strtoul(given, nullptr, 10);
+    } else if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) == 0) {
+        columns = window.ws_col;
+    }
+    return columns == 0 ? widest_column : std::clamp(columns, narrowest_column, widest_column);
+}
 
 // CLI11's layout with wrapped lines.
 class wrapped_layout : public CLI::Formatter {
@@ -92,11 +109,11 @@ const std::map<std::string, example_pair>& examples() {
 // Where a line that is too long ends: before a blank, else after a comma; npos if neither is between `begin` and the
 // last column.
 std::size_t end_of_line(const std::string& line, std::size_t begin) {
-    const std::size_t blank = line.rfind(' ', last_column);
+    const std::size_t blank = line.rfind(' ', last_column());
     if (blank != std::string::npos && blank > begin) {
         return blank;
     }
-    const std::size_t comma = line.rfind(',', last_column - 1);
+    const std::size_t comma = line.rfind(',', last_column() - 1);
     return comma != std::string::npos && comma > begin ? comma + 1 : std::string::npos;
 }
 
@@ -107,7 +124,7 @@ std::string wrapped(const std::string& text, std::size_t indent) {
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
         const std::size_t first = line.find_first_not_of(' ');
-        while (line.size() > last_column) {
+        while (line.size() > last_column()) {
             const std::size_t end = end_of_line(line, std::max(indent, first));
             if (end == std::string::npos) {
                 break;

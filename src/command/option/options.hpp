@@ -52,6 +52,8 @@ public:
     /// Without --columns, for commands in which it has another meaning.
     enum class columns_option { own, not_here };
     void add_to(CLI::App& command, columns_option columns = columns_option::own);
+    /// The columns of --columns, of a command that reads that option itself.
+    void choose_columns(std::string names) { columns_ = std::move(names); }
     /// Throws input_error for a format that is none and a file that cannot be written.
     void check() const;
     const std::string& format() const { return format_; }

@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <sstream>
 #include <stdexcept>
 
 #include "run/child_program.hpp"
 #include "run/program_files.hpp"
+#include "run/progress.hpp"
+#include "text/csv_records.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {
@@ -61,32 +64,60 @@ void write_certificate(const std::string& path, const Make& make) {
 
 }  // namespace
 
+certificate_notes notes_of(const problem_options& problem) {
+    certificate_notes notes;
+    std::string text = problem_named(*problem.problem()).text;
+    const bool has_lines = text.find('\n') != std::string::npos;
+    std::ranges::replace(text, has_lines ? '\r' : ';', '\n');
+    std::istringstream lines(text);
+    for (std::string each; std::getline(lines, each);) {
+        notes.push_back(trimmed(each));
+    }
+    for (const std::string& change : problem.changes()) {
+        notes.push_back("--set " + change);
+    }
+    std::erase(notes, "");
+    return notes;
+}
+
 void certify_states(const std::string& path, const ode::explicit_system& system, const std::vector<exact>& times,
-                    const table& states, const request& how) {
+                    const table& states, const request& how, const certificate_notes& notes) {
     write_certificate(path, [&] {
         const auto rows = decimals_of(states, ode::names_of_state(system), how.printed_digits());
-        return certificate_of_states(system, times, rows, how);
+        return certificate_of_states(system, times, rows, how, notes);
     });
 }
 
 void certify_events(const std::string& path, const ode::explicit_system& system, const ode::event_request& request,
-                    const table& events, const libration::request& how) {
+                    const table& events, const libration::request& how, const certificate_notes& notes) {
     write_certificate(path, [&] {
         std::vector<std::string> columns = ode::names_of_state(system);
         columns.insert(columns.begin(), events.columns().front().name);
         const auto rows = decimals_of(events, columns, how.printed_digits());
         const int way = request.way == ode::crossing::any ? 0 : request.way == ode::crossing::up ? 1 : -1;
-        return certificate_of_events(system, request.g, way, rows, how);
+        return certificate_of_events(system, request.g, way, rows, how, notes);
     });
 }
 
 void certify_root(const std::string& path, const problem& of, const std::vector<std::string>& unknowns,
-                  const std::vector<std::string>& conditions, const answer& found, const request& how) {
-    write_certificate(path, [&] { return certificate_of_root(of, unknowns, conditions, values_of(found), how); });
+                  const std::vector<std::string>& conditions, const answer& found, const request& how,
+                  const certificate_notes& notes) {
+    write_certificate(path,
+                      [&] { return certificate_of_root(of, unknowns, conditions, values_of(found), how, notes); });
 }
 
-void certify_orbit(const std::string& path, const problem& of, const answer& found, const request& how) {
-    write_certificate(path, [&] { return certificate_of_orbit(of, values_of(found), how); });
+void certify_orbit(const std::string& path, const problem& of, const answer& found, const request& how,
+                   const certificate_notes& notes) {
+    write_certificate(path, [&] { return certificate_of_orbit(of, values_of(found), how, notes); });
+}
+
+void with_certificate_progress(long digits, const std::function<void(const request&)>& write) {
+    progress shown("certificate", progress_of_part::steps);
+    progress_of_part to(shown);
+    write(request{.scalar = {scalar_kind::proved, digits},
+                  .progress = [&](double part) { to(part); },
+                  .reached = [&](double time, long bits) { to.reached(time, bits); }});
+    to(1);
 }
 
 void check_certificate(const std::string& path) {

@@ -34,7 +34,11 @@ std::string common_inputs(const study_request& request, const std::vector<std::s
             words += between_words + value.text;
         }
     }
-    return words + between_words + (request.scalar ? request.scalar->name() : std::string());
+    words += between_words + (request.scalar ? request.scalar->name() : std::string());
+    for (const scalar_spec& each : request.further_scalars) {
+        words += "," + each.name();
+    }
+    return words;
 }
 
 journal_record failed_record(const cell_key& key, const cell_inputs& inputs, const std::string& reason) {

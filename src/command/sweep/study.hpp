@@ -19,7 +19,9 @@ namespace libration {
 struct study_request {
     axis_values values;                 ///< of the problem's axes and of the study's own: order, digits, step
     std::optional<scalar_spec> scalar;  ///< --scalar; std::nullopt: the scalars that the study uses by default
-    shared_problem equation = {};       ///< of --problem; null for the study's own problem
+    /// The others of a list of --scalar, for a study with `several_scalars`: the first one is the most precise.
+    std::vector<scalar_spec> further_scalars = {};
+    shared_problem equation = {};  ///< of --problem; null for the study's own problem
     int jobs = 1;
     progress_context shown;  ///< what the progress line prints around the study's own part
 
@@ -89,6 +91,7 @@ struct study {
     /// Incremented when a cell's rows change for the same inputs: journals of other versions are then not used.
     int version = 1;
     arithmetics offers = arithmetics::rounding;      ///< proved_too if it supports proofs
+    bool several_scalars = false;                    ///< --scalar may be a list
     bool alone = false;                              ///< it measures times: nothing may run at the same time
     std::optional<equation_form> any_equation = {};  ///< std::nullopt if it supports only its own problem
     std::string script = {};                         ///< SCRIPT.gp draws its figures; empty: NAME.gp

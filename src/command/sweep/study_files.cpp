@@ -300,8 +300,10 @@ const study& study_named(std::string_view option, std::string_view name) {
         return **found;
     }
     const auto names = members_of(studies, &study::name);
-    throw input_error(std::string(option), std::string(name), "is not a study" + suggestion(name, names),
-                      fmt::format("choose one of {}", fmt::join(names, ", ")));
+    const std::string near = suggestion(name, names);
+    throw input_error(
+        std::string(option), std::string(name), "is not a study" + near,
+        near.empty() ? fmt::format("choose one of {}", fmt::join(names, ", ")) : "see 'libration studies'");
 }
 
 }  // namespace libration

@@ -167,14 +167,43 @@ void add_left_out(study_order& order, const axis& along, const axis_reading& rea
     }
 }
 
+// Proved numbers before those of many digits before those of few.
+bool is_more_precise(const scalar_spec& a, const scalar_spec& b) {
+    const auto rank = [](const scalar_spec& each) {
+        return each.kind == scalar_kind::proved ? 2 : each.kind == scalar_kind::arbitrary ? 1 : 0;
+    };
+    return rank(a) != rank(b) ? rank(a) > rank(b) : a.digits > b.digits;
+}
+
+void read_scalars(study_order& order, const std::string& words) {
+    const study& what = *order.what;
+    if (words.find(',') != std::string::npos && !what.several_scalars) {
+        throw input_error(scalar_option, words, "is a list, and this study takes one arithmetic at a time",
+                          "run it for each of them with --out DIR of its own");
+    }
+    std::vector<scalar_spec> all;
+    std::istringstream list(words);
+    for (std::string name; std::getline(list, name, ',');) {
+        all.push_back(reading(scalar_option, words, "write " + scalars_offered(what.offers),
+                              [&] { return read_scalar(name, what.offers); }));
+    }
+    std::ranges::stable_sort(all, is_more_precise);
+    const auto repeated = std::ranges::unique(all, {}, &scalar_spec::name);
+    all.erase(repeated.begin(), repeated.end());
+    if (all.empty()) {
+        throw input_error(scalar_option, words, "has no arithmetic", "write " + scalars_offered(what.offers));
+    }
+    order.request.scalar = all.front();
+    order.request.further_scalars.assign(all.begin() + 1, all.end());
+}
+
 void fill(study_order& order, const study_parameter& own, const study_words& words) {
     const study& what = *order.what;
     const auto said = words.find(own.option);
     if (own.option == scalar_option) {
         // Without a scalar, the study chooses.
         if (said != words.end()) {
-            order.request.scalar = reading(own.option, said->second, "write " + scalars_offered(what.offers),
-                                           [&] { return read_scalar(said->second, what.offers); });
+            read_scalars(order, said->second);
         }
         return;
     }
@@ -191,7 +220,10 @@ void fill(study_order& order, const study_parameter& own, const study_words& wor
 }  // namespace
 
 std::string forms_of(const study& what, const std::string& option) {
-    return option == scalar_option ? scalars_offered(what.offers) : forms_of_axis(axis_of(what, option));
+    if (option == scalar_option) {
+        return scalars_offered(what.offers) + (what.several_scalars ? "; several, separated by commas" : "");
+    }
+    return forms_of_axis(axis_of(what, option));
 }
 
 std::vector<study_option> options_of(const std::vector<const study*>& studies) {

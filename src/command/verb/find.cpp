@@ -129,6 +129,30 @@ std::vector<std::pair<std::string, std::string>> first_values(const first_guess&
     return values;
 }
 
+// An unknown parameter that the problem leaves open and that no option gives.
+void require_first_values(const find_options& options, const first_guess& guess,
+                          const std::optional<branch_values>& along) {
+    ode::equation_system typed;
+    try {
+        typed = problem(problem_named(*options.problem.problem()).text).equations();
+    } catch (const error&) {
+        return;  // problem_options::equations() reports it
+    }
+    const auto gives = [](const std::string& change, const std::string& name) {
+        return without_blanks(change).starts_with(name + "=");
+    };
+    for (const std::string& name : options.unknowns) {
+        const bool given =
+            (along && along->parameter == name) ||
+            std::ranges::any_of(guess, [&](const auto& each) { return gives(each, name); }) ||
+            std::ranges::any_of(options.problem.changes(), [&](const auto& each) { return gives(each, name); });
+        if (typed.is_open(name) && !given) {
+            throw input_error("--unknown", name, "has no first value from which the search begins",
+                              "add --guess " + name + "=1, or another number near the solution");
+        }
+    }
+}
+
 // The branches of all first guesses.
 int run_along(const find_options& options, const problem& of, const branch_values& along,
               const std::vector<first_guess>& guesses, const request& how, long digits) {
@@ -176,6 +200,7 @@ int run_find(const find_options& options) {
     }
     const auto guesses = first_guesses(options.guesses, options.unknowns);
     const auto along = options.along ? std::optional(read_along(options)) : std::nullopt;
+    require_first_values(options, guesses.front(), along);
     const problem of(options.problem.equations(first_values(guesses.front(), along)));
     progress shown("find", guesses.size());
     const request how{.scalar = {scalar_kind::proved, digits},
@@ -211,9 +236,10 @@ int run_find(const find_options& options) {
     if (options.certificate && !found.solutions().empty()) {
         const answer& solution = found.solutions().front();
         if (options.periodic) {
-            certify_orbit(*options.certificate, of, solution, how);
+            certify_orbit(*options.certificate, of, solution, how, notes_of(options.problem));
         } else {
-            certify_root(*options.certificate, of, options.unknowns, options.conditions, solution, how);
+            certify_root(*options.certificate, of, options.unknowns, options.conditions, solution, how,
+                         notes_of(options.problem));
         }
         if (options.check) {
             check_certificate(*options.certificate);

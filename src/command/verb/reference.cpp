@@ -43,8 +43,18 @@ struct reference_options {
     plot_axes plot;
     event_options events;
     set_options sets;
-    std::optional<std::string> digits, times, derivatives, motions, columns, jobs, trace, certificate;
+    std::optional<std::string> digits, times, derivatives, motions, columns, rename, jobs, trace, certificate;
     bool check = false;
+
+    /// --columns are those of the output; with --motions without --rename, those of that file, as in versions before.
+    void assign_columns() {
+        if (motions && !rename) {
+            rename = std::exchange(columns, std::nullopt);
+        }
+        if (columns) {
+            output.choose_columns(*columns);
+        }
+    }
 };
 
 // The second route sums about D/3 columns of D digits: minutes at this many, hours for far more.
@@ -122,7 +132,7 @@ std::vector<known_column> columns_of_motions() {
 
 // The motions of a file, with those of consecutive rows combined.
 std::vector<asked_solution> motions_of_file(const reference_options& options) {
-    const point_file file("--motions", *options.motions, options.columns, columns_of_motions());
+    const point_file file("--motions", *options.motions, options.rename, columns_of_motions());
     const motion_columns columns(file.names());
     const time_columns time(file.names());
     if (time.there() == options.times.has_value()) {
@@ -151,17 +161,6 @@ std::vector<asked_solution> motions_of_file(const reference_options& options) {
         });
     }
     return motions;
-}
-
-// Calls write(request) with the progress of a certificate, after the values themselves, which do not depend on it.
-template <class Write>
-void certify(long digits, const Write& write) {
-    progress shown("certificate", progress_of_part::steps);
-    progress_of_part to(shown);
-    write(request{.scalar = {scalar_kind::proved, digits},
-                  .progress = [&](double part) { to(part); },
-                  .reached = [&](double time, long bits) { to.reached(time, bits); }});
-    to(1);
 }
 
 void check_if_asked(const reference_options& options) {
@@ -211,8 +210,9 @@ int write_events(const reference_options& options, long digits) {
     options.integrator.state(found.collocation);
     require_complete(found);
     if (options.certificate) {
-        certify(digits,
-                [&](const auto& how) { certify_events(*options.certificate, system, request, found.rows, how); });
+        with_certificate_progress(digits, [&](const auto& how) {
+            certify_events(*options.certificate, system, request, found.rows, how, notes_of(options.problem));
+        });
         check_if_asked(options);
     }
     return 0;
@@ -267,6 +267,19 @@ std::vector<std::string> derivatives_of(const reference_options& options) {
     for (const std::string_view each : list_items(*options.derivatives)) {
         std::string number(each);
         std::erase(number, ' ');
+        if (number == "initial") {
+            const ode::explicit_system system = options.problem.choose();
+            const auto fraction = system.point().fraction();
+            if (!fraction) {
+                throw input_error("--derivatives", "initial", "is for an initial point that is a fraction",
+                                  "name the initial values");
+            }
+            const std::string point = fraction->str();
+            for (const std::string& name : ode::names_of_state(system)) {
+                numbers.push_back(name + "(" + point + ")");
+            }
+            continue;
+        }
         if (number.empty()) {
             throw input_error("--derivatives", *options.derivatives, "has an empty item",
                               "write initial values and parameters of the problem, as \"x(0), r\"");
@@ -354,8 +367,9 @@ int run_reference(const reference_options& options) {
     options.integrator.state(found.collocation);
     require_complete(found);
     if (options.certificate) {
-        certify(digits, [&](const request& how) {
-            certify_states(*options.certificate, options.problem.choose(), asked.front().times, found.rows, how);
+        with_certificate_progress(digits, [&](const request& how) {
+            certify_states(*options.certificate, options.problem.choose(), asked.front().times, found.rows, how,
+                           notes_of(options.problem));
         });
         check_if_asked(options);
     }
@@ -374,7 +388,7 @@ subcommand reference_command(CLI::App& program) {
     command
         ->add_option("--derivatives", options->derivatives,
                      "with --problem: also the derivatives of every value by these initial values and parameters, each "
-                     "digit proved: \"x(0), x'(0), r\"")
+                     "digit proved: \"x(0), x'(0), r\"; initial: by all initial values, the state transition matrix")
         ->type_name("LIST");
     options->output.add_to(*command, output_options::columns_option::not_here);
     options->plot.add_to(*command);
@@ -385,9 +399,12 @@ subcommand reference_command(CLI::App& program) {
                      "a file with a motion in each row: theta0 and omega0, gap or energy, and a time unless --times is "
                      "given; - for stdin")
         ->type_name("FILE");
-    command
-        ->add_option("--columns", options->columns, "the names of its columns: t=time,E=energy, NAME=- to ignore one")
+    command->add_option("--rename", options->rename, "the names of its columns: t=time,E=energy, NAME=- to ignore one")
         ->type_name("THEIRS=OURS,...");
+    command
+        ->add_option("--columns", options->columns,
+                     "print only these columns, in this order; with --motions also THEIRS=OURS, as --rename")
+        ->type_name("NAMES");
     command
         ->add_option("--trace", options->trace,
                      "with --problem: a CSV file with the steps of the integration, written also if it fails")
@@ -405,7 +422,11 @@ subcommand reference_command(CLI::App& program) {
         "--check", options->check,
         "compare with a second proof by another route, exit 1 if they disagree; with --certificate also run "
         "its checker");
-    return {command, [options] { return run_reference(*options); },
+    return {command,
+            [options] {
+                options->assign_columns();
+                return run_reference(*options);
+            },
             [options](std::string_view property) { return has(*options, property); }};
 }
 

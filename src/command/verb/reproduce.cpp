@@ -152,7 +152,7 @@ private:
     std::mutex mutex_;
 };
 
-// results/ here or, elsewhere, that of the tree from which the program comes.
+// results/ here or, elsewhere, that of the tree from which the program comes, or the tables that are installed with it.
 std::string usual_results() {
     std::error_code error;
     const fs::path own = fs::path(studies_folder()).parent_path() / "results";
@@ -242,20 +242,20 @@ int run_reproduce(const reproduce_options& options) {
 
 subcommand reproduce_command(CLI::App& program) {
     const auto options = std::make_shared<reproduce_options>();
-    CLI::App* command = program.add_subcommand(
-        "reproduce",
-        "make the paper's studies, claims and reference values again, write the report, compare with results/");
+    CLI::App* command = program.add_subcommand("reproduce",
+                                               "make the paper's studies, claims and reference values again, in about "
+                                               "two minutes, write the report, compare with "
+                                               "results/");
     command->add_option("SET", options->set, "paper, problems, proved or all")->capture_default_str();
     command->add_option("--out", options->out, "the folder to write; an interrupted run is resumed")
         ->type_name("DIR")
         ->capture_default_str();
     command
-        ->add_option(
-            "--results", options->results,
-            "the published folder, here or in the source tree; if a table of mpfr or of balls differs from it, "
-            "the exit code is 1")
-        ->type_name("DIR")
-        ->capture_default_str();
+        ->add_option("--results", options->results,
+                     "the published folder (default: ./results, or else that of the source tree or of the "
+                     "installation); if a table of mpfr or of balls differs from it, "
+                     "the exit code is 1")
+        ->type_name("DIR");
     command->add_flag("--publish", options->publish, "then replace the published folder by what was made");
     command->add_option("--only", options->only, "these studies only (and 'claims', 'reference')")->type_name("NAMES");
     command->add_option("--skip", options->skip, "all but these studies (or 'claims', 'reference')")

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "option/options.hpp"
+#include "option/output_place.hpp"
 #include "option/subcommand.hpp"
 #include "problem/list_audit.hpp"
 #include "problem/motion_options.hpp"
@@ -20,6 +21,7 @@
 #include "text/input_error.hpp"
 #include "verify/double_columns.hpp"
 #include "verify/row_target.hpp"
+#include "verify/table_certificate.hpp"
 #include "verify/verify_layout.hpp"
 #include "verify/verify_summary.hpp"
 
@@ -31,7 +33,7 @@ struct verify_options {
     motion_options motion;
     problem_options problem;
     std::string file;
-    std::optional<std::string> coefficients;
+    std::optional<std::string> coefficients, certificate;
     std::optional<std::string> tolerance, relative, ulps, columns;
     bool modulo_turn = false, rounding = false;
     std::optional<std::string> inputs;
@@ -200,6 +202,9 @@ int verify_list(const verify_options& options) {
 }
 
 int run_verify(const verify_options& options) {
+    if (options.certificate) {
+        require_output_place("--certificate", *options.certificate);
+    }
     if (options.file.empty() && !options.coefficients) {
         throw input_error("no FILE is given: name a table, or a list by --coefficients LIST");
     }
@@ -227,6 +232,9 @@ int run_verify(const verify_options& options) {
     target.write(writer.tail());
     target.finish();
     summary.print();
+    if (options.certificate) {
+        certify_times_of_table(*options.certificate, options.problem, options.file, names, rules.inputs_are_doubles);
+    }
     return summary.exit_code();
 }
 
@@ -253,7 +261,7 @@ subcommand verify_command(CLI::App& program) {
     options->problem.add_to(*command);
     command
         ->add_option(
-            "--columns", options->columns,
+            "--columns,--rename", options->columns,
             "the names of your columns: t=time,E=energy; NAME=- ignores a column; if the file has no header, name "
             "all columns in order")
         ->type_name("THEIRS=OURS,...");
@@ -279,6 +287,12 @@ subcommand verify_command(CLI::App& program) {
                      "decimal: times and arguments as typed; double: their nearest doubles "
                      "(default: double if they are doubles in decimal, such as those of numpy.savetxt)")
         ->type_name("decimal|double");
+    command
+        ->add_option(
+            "--certificate", options->certificate,
+            "with --problem: write a certificate of the solution at the times of FILE, with which check/compare.py "
+            "compares FILE without this program")
+        ->type_name("CERTIFICATE");
     command->add_option("--format", options->format, "csv or json")->type_name("FORMAT")->capture_default_str();
     command->add_option("--out", options->out, "write the rows to this file instead of stdout")->type_name("FILE");
     command->add_option("--jobs", options->jobs, "number of threads (default: all cores)")->type_name("J");

@@ -6,6 +6,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <chrono>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -79,10 +80,26 @@ Owned made(const Call& call) {
     return Owned(handle);
 }
 
-// Handles Ctrl-C in long calls.
-inline int watch_signals(double /*part*/, void* /*context*/) {
+// Handles Ctrl-C in long calls, and passes the part that is done to the package, ten times a second (python/libration/progress.py).
+inline int watch_signals(double part, void* /*context*/) {
+    using clock = std::chrono::steady_clock;
+    constexpr std::chrono::milliseconds pause{100};
+    thread_local clock::time_point told = clock::now();
     const py::gil_scoped_acquire lock;
-    return PyErr_CheckSignals() == 0 ? 0 : 1;
+    if (PyErr_CheckSignals() != 0) {
+        return 1;
+    }
+    if (clock::now() - told < pause) {
+        return 0;
+    }
+    told = clock::now();
+    try {
+        py::module_::import("libration.progress").attr("reached")(part);
+        return 0;
+    } catch (py::error_already_set& problem) {
+        problem.restore();
+        return 1;
+    }
 }
 
 inline const char* optional_text(const std::optional<std::string>& text) { return text ? text->c_str() : nullptr; }

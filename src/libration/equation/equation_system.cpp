@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "libration/equation/choice.hpp"
+#include "libration/number/exact.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/utf8.hpp"
 
@@ -114,6 +115,10 @@ equation_system& equation_system::set(const std::string& name, const expression&
         std::erase_if(sets, [&](const number_set& each) { return each.name == name; });
     }
     return *this;
+}
+
+equation_system& equation_system::set_to_text(const std::string& name, std::string_view value) {
+    return set(name, expression(as_exact_real(read_exact(value))));
 }
 
 equation_system& equation_system::set_between(const std::string& name, const expression& lower,

@@ -61,7 +61,7 @@ std::size_t place_of(const std::vector<ode::decimal_interval>& zeros, const ode:
 }  // namespace
 
 std::string certificate_of_states(const ode::explicit_system& system, const std::vector<exact>& times,
-                                  const printed_rows& states, const request& how) {
+                                  const printed_rows& states, const request& how, const certificate_notes& notes) {
     ode::certified_statement statement;
     rational farthest;
     for (std::size_t i = 0; i < times.size(); ++i) {
@@ -71,11 +71,11 @@ std::string certificate_of_states(const ode::explicit_system& system, const std:
             statement.values.push_back({time, place, ode::within_one_unit(states.of[i][place], states.digits)});
         }
     }
-    return compressed_certificate(text_of_certificate(system, statement, farthest, how.printed_digits(), how));
+    return compressed_certificate(text_of_certificate(system, statement, farthest, how.printed_digits(), how), notes);
 }
 
 std::string certificate_of_events(const ode::explicit_system& system, const ode::expression& g, int way,
-                                  const printed_rows& events, const request& how) {
+                                  const printed_rows& events, const request& how, const certificate_notes& notes) {
     std::vector<ode::decimal_interval> times;
     for (const auto& row : events.of) {
         times.push_back(ode::within_one_unit(row.front(), events.digits));
@@ -89,7 +89,7 @@ std::string certificate_of_events(const ode::explicit_system& system, const ode:
         }
     }
     return compressed_certificate(
-        text_of_certificate(system, statement, middle_of(times.back()), how.printed_digits(), how));
+        text_of_certificate(system, statement, middle_of(times.back()), how.printed_digits(), how), notes);
 }
 
 }  // namespace libration

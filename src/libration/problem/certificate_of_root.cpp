@@ -144,7 +144,7 @@ certified_root in_order(const unknown_numbers& numbers, const std::vector<std::s
 
 std::string certificate_of_root(const problem& of, const std::vector<std::string>& unknowns,
                                 const std::vector<std::string>& conditions, const std::vector<std::string>& decimals,
-                                const request& how) {
+                                const request& how, const certificate_notes& notes) {
     std::vector<value_at_time> ends;
     std::ranges::transform(conditions, std::back_inserter(ends),
                            [&](const std::string& each) { return read_condition(of.equations(), each); });
@@ -159,10 +159,11 @@ std::string certificate_of_root(const problem& of, const std::vector<std::string
         }
         root.conditions.push_back({place_in_state(system, ends[i].name), ends[i].value});
     }
-    return compressed_certificate(text_of_root(root, how));
+    return compressed_certificate(text_of_root(root, how), notes);
 }
 
-std::string certificate_of_orbit(const problem& of, const std::vector<std::string>& decimals, const request& how) {
+std::string certificate_of_orbit(const problem& of, const std::vector<std::string>& decimals, const request& how,
+                                 const certificate_notes& notes) {
     const ode::explicit_system system(of.equations());
     const auto point = system.point().fraction();
     if (!point) {
@@ -186,7 +187,7 @@ std::string certificate_of_orbit(const problem& of, const std::vector<std::strin
     for (std::size_t k = 0; k < state.size(); ++k) {
         root.conditions.push_back({k, std::nullopt});
     }
-    return compressed_certificate(text_of_root(root, how));
+    return compressed_certificate(text_of_root(root, how), notes);
 }
 
 }  // namespace libration

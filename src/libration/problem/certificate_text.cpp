@@ -23,7 +23,27 @@ std::string text_of_certificate(const ode::explicit_system& system, const ode::c
     });
 }
 
-std::string compressed_certificate(const std::string& text) {
+namespace {
+
+// The checkers read at most so many, and so long ones.
+constexpr std::size_t most_notes = 100;
+constexpr std::size_t longest_note = 1000;
+
+std::string with_notes(const std::string& text, const certificate_notes& notes) {
+    std::string lines;
+    for (std::size_t k = 0; k < std::min(notes.size(), most_notes); ++k) {
+        std::string note = notes[k].substr(0, longest_note);
+        std::ranges::replace_if(
+            note, [](char c) { return c < ' ' || c > '~'; }, '?');
+        lines += note.empty() ? "" : "note " + note + "\n";
+    }
+    return std::string(text).insert(text.find('\n') + 1, lines);
+}
+
+}  // namespace
+
+std::string compressed_certificate(const std::string& plain, const certificate_notes& notes) {
+    const std::string text = with_notes(plain, notes);
     uLongf size = compressBound(text.size());
     std::string result(size, '\0');
     if (compress2(reinterpret_cast<Bytef*>(result.data()), &size, reinterpret_cast<const Bytef*>(text.data()),

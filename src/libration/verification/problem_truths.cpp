@@ -103,6 +103,7 @@ struct problem_truths::proved_way {
     bool with_derivative;
     row_work work;
     std::unique_ptr<proved_march> march = {};
+    double reached = 0;  // the latest end of a proved step
     number latest = {};
 
     // use(state), a std::optional, at a time; without one the error maps need more bits, too. std::nullopt if no bits
@@ -115,7 +116,11 @@ struct problem_truths::proved_way {
         return with_more_precision(bits.bits, most_proof_bits, [&](long& next) {
             if (!march || ((at - latest) * number(rational(direction))).sign() < 0) {
                 march = std::make_unique<proved_march>(
-                    system, bits.bits, [this](const ball& /*reached*/, long /*bits*/) { work.add(*march); },
+                    system, bits.bits,
+                    [this](const ball& end, long /*bits*/) {
+                        reached = midpoint_of(end).convert_to<double>();
+                        work.add(*march);
+                    },
                     bits.error_bits);
                 if (with_derivative) {
                     march->keep_derivative();
@@ -147,8 +152,10 @@ std::vector<ball> problem_truths::proved_state(const exact& time, long digits) {
     }
     auto state = way->at(time, [](const std::vector<ball>& found) { return std::optional(found); });
     if (!state) {
-        throw error(error_kind::undecided, error_subject::time, time.text,
-                    "is not reached by a proof: a singularity is near, or the solution is chaotic");
+        throw error(
+            error_kind::undecided, error_subject::time, time.text,
+            "is not reached: the solution is proved to exist up to about " + to_decimal(way->reached, 6) +
+                ", where a singularity is near, or more digits are lost than the limits of the precision allow");
     }
     return *std::move(state);
 }

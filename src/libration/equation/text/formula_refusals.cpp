@@ -111,8 +111,9 @@ void refuse_argument(const statement& words, std::size_t name, const known_names
     }
     const std::string meant = function_meant_by(word.text);
     refuse(written, word.at,
-           "is not a function: write " + (meant.empty() ? product : corrected(words, name, name + 1, meant)) +
-               ", or one of " + function_names());
+           meant.empty() ? "is not a function: write one of " + function_names() + ", or " + product
+                         : "is not a function: write " + corrected(words, name, name + 1, meant) + ", or one of " +
+                               function_names());
 }
 
 void refuse_token(const statement& words, std::size_t at, std::size_t last) {

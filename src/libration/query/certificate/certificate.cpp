@@ -13,6 +13,7 @@
 #include "libration/expansion/step_pieces.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/decimal.hpp"
+#include "negative_powers.hpp"
 #include "varied_form.hpp"
 
 namespace libration::ode {
@@ -166,8 +167,9 @@ double better_limit(const explicit_system& system, claimed_statement& statement,
 
 }  // namespace
 
-std::string certificate_of(const explicit_system& system, const certified_statement& statement, long digits,
+std::string certificate_of(const explicit_system& typed, const certified_statement& statement, long digits,
                            const std::function<void(const ball& reached, long bits)>& watch) {
+    const explicit_system system = with_negative_powers(typed);
     claimed_statement claimed(system, certified_names(system, statement), statement);
     const std::string head = problem_of_certificate(system, claimed.form(), statement);
     run_choice choice{.bits = std::lround(static_cast<double>(digits) * std::log2(10.)) + guard_of_first_run,
