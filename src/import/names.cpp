@@ -37,7 +37,8 @@ const std::set<std::string>& reserved_words() {
                                              "bessel_i",  "bessel_k",
                                              "airy_ai",   "airy_ai_prime",
                                              "airy_bi",   "airy_bi_prime",
-                                             "lambertw"};
+                                             "lambertw",  "exprel",
+                                             "cosrel"};
     return words;
 }
 

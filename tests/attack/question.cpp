@@ -62,6 +62,8 @@ const std::vector<statement_kind>& statement_kinds() {
         {"coefficient", "lists of Taylor coefficients, one for each unknown", 129, ask_coefficient},
         {"domain", "values of solutions that a factor of 0 ends", 28, ask_domain},
         {"singular start", "with the value that the equation determines, and beside it", 28, ask_singular_start},
+        {"removable singularity", "quotients of two functions of one expression, from, across and up to a common zero",
+         40, ask_removable},
         {"exact zero", "unknowns that stay 0, and others beside them", 50, ask_zero},
         {"refusal", "times behind a singularity", 25, ask_refusal},
         {"algebraic", "unknowns of algebraic equations", 10, ask_algebraic},

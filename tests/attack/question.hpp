@@ -42,6 +42,7 @@ outcome ask_zero(choices& next);
 outcome ask_refusal(choices& next);
 outcome ask_domain(choices& next);
 outcome ask_singular_start(choices& next);
+outcome ask_removable(choices& next);
 outcome ask_algebraic(choices& next);
 outcome ask_jump(choices& next);
 outcome ask_branch(choices& next);

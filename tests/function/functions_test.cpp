@@ -41,7 +41,12 @@ std::vector<place> places() {
     std::vector<place> all;
     for (std::size_t i = 0; i < function_kinds; ++i) {
         const auto f = static_cast<function_kind>(i);
-        if (has_order(f)) {
+        if (f == function_kind::exprel || f == function_kind::cosrel) {
+            for (const rational& order : {rational(1), rational(2), rational(5)}) {
+                all.push_back({f, order, rational(-3, 2)});
+                all.push_back({f, order, rational(1, 2)});
+            }
+        } else if (has_order(f)) {
             for (const rational& order :
                  {rational(0), rational(1), rational(-2), rational(5), rational(1, 3), rational(-7, 2)}) {
                 all.push_back({f, order, rational(3, 2)});

@@ -202,7 +202,7 @@ TEST_CASE("what theorem S does not take is refused", "[ode][proved][singular]") 
         CHECK_THROWS_AS(proved_singular_step(explicit_system(parse(text)), 100), error);
     };
     refused(std::string(problem_text("thomas_fermi")));
-    refused("t*y'' + 2*y' + t*exp(y) = 0; y(0) = 1; y'(0) = 0");
+    refused("t*y'' + 2*y' + t*tan(y) = 0; y(0) = 1; y'(0) = 0");
     const precision_scope scope(30);
 }
 

@@ -155,6 +155,12 @@ inline expression bessel_y(const rational& order, const expression& x) {
 inline expression bessel_i(const rational& order, const expression& x) {
     return apply(function_kind::bessel_i, expression(order), x);
 }
+inline expression exprel(const rational& order, const expression& x) {
+    return apply(function_kind::exprel, expression(order), x);
+}
+inline expression cosrel(const rational& order, const expression& x) {
+    return apply(function_kind::cosrel, expression(order), x);
+}
 inline expression bessel_k(const rational& order, const expression& x) {
     return apply(function_kind::bessel_k, expression(order), x);
 }

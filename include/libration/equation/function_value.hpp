@@ -3,6 +3,7 @@
 
 #include <concepts>
 #include <string>
+#include <vector>
 
 #include "libration/equation/constant_value.hpp"
 #include "libration/function/ball_functions.hpp"
@@ -63,6 +64,55 @@ R function_value(function_kind f, const R& x, const rational* order = nullptr) {
                             " of a coefficient, which is not available in this scalar: choose another");
         }
     });
+}
+
+/// The coefficients of series_values(), rounded in T from balls.
+template <rounding_scalar T>
+requires std::same_as<wide_t<T>, mpfr> std::vector<T> series_by_balls(function_kind f, relative_kind family, int order,
+                                                                      const T& x, int count) {
+    std::vector<T> result;
+    const auto bits = static_cast<long>(digits<T>());
+    for (const auto& each : function::functions_of_balls(f).series(family, order, {widen(x), mpfr(0)}, count, bits)) {
+        result.push_back(convert<T>(each[0]));
+    }
+    return result;
+}
+
+template <rounding_scalar T>
+requires std::same_as<wide_t<T>, mpfr> std::vector<complex_number<T>> series_by_balls(function_kind f,
+                                                                                      relative_kind family, int order,
+                                                                                      const complex_number<T>& z,
+                                                                                      int count) {
+    std::vector<complex_number<T>> result;
+    const auto bits = static_cast<long>(digits<T>());
+    for (const auto& each :
+         function::functions_of_balls(f).series(family, order, {widen(z.re), widen(z.im)}, count, bits)) {
+        result.push_back({convert<T>(each[0]), convert<T>(each[1])});
+    }
+    return result;
+}
+
+/// Coefficients 0 .. count - 1 of the series about x of a function of the list with has_table. Throws error for a scalar
+/// in which they are not available.
+template <class F, field R>
+std::vector<R> series_values(int order, const R& x, int count) {
+    if constexpr (requires { relative_series(F::family, order, x, count); }) {
+        return relative_series(F::family, order, x, count);
+    } else {
+        std::vector<R> result;
+        if (function::is_zero(x)) {
+            for (int j = 0; j < count; ++j) {
+                result.push_back(constant_value<R>::of(number(F::about_zero(order, j))));
+            }
+            return result;
+        }
+        if constexpr (requires { series_by_balls(F::kind, F::family, order, x, count); }) {
+            return series_by_balls(F::kind, F::family, order, x, count);
+        }
+        throw error(error_kind::argument, error_subject::problem, "",
+                    "needs " + std::string(F::name) +
+                        " of a coefficient, which is not available in this scalar: choose another");
+    }
 }
 
 /// x^r for a value x at an expansion point.

@@ -14,8 +14,12 @@
 namespace libration::ode {
 
 /// The values of the step functions of a system, in order: -1, 0 or 1 for a sign, which is 0 where its argument is 0 on
-/// the whole branch, and an integer for a floor.
+/// the whole branch, and an integer for a floor; sliding_value() for the sign along the surface of which the solution
+/// slides, whose argument is 0, too.
 using step_values = std::vector<number>;
+
+/// 1/2, which is no value of a step function.
+number sliding_value();
 
 /// What happens where a function g crosses 0: the event or the step function of this index. `orientation` is
 /// 1 if its own function, left - right, the argument or its distance from a level of floor, has the sign of g, -1 if it
@@ -90,6 +94,9 @@ public:
     std::optional<number> constant_step(std::size_t step, const step_values& values) const;
     /// Whether it is a sign that is 0 on the branch although its argument is not constant.
     bool is_at_rest(std::size_t step, const step_values& values) const;
+    /// Whether it is such a sign along the surface of which the solution slides: the right-hand side of the branch is the
+    /// convex combination of those on both sides along which the argument remains 0 (theorem H, "Sliding").
+    bool is_sliding(std::size_t step, const step_values& values) const;
     /// The surfaces of a branch whose crossing matters, each once: those of floor(u/d) = n are u = n d and
     /// u = (n + 1) d.
     std::vector<surface> surfaces(const step_values& values) const;
@@ -99,6 +106,12 @@ public:
 private:
     equation_system equations(const step_values& values, const number& point, const std::vector<number>& state) const;
     void keep_both_sides(std::size_t step, const step_values& values, equation_system& of) const;
+    void require_explicit(std::size_t step) const;
+    expression right_side_of(const expression& leaf, const step_values& values) const;
+    expression slope_beside(std::size_t step, int side, step_values values) const;
+    void slide(std::size_t step, const step_values& values, equation_system& of) const;
+    void add_ends_of_sliding(std::size_t step, const step_values& values, std::vector<surface>& to) const;
+    std::vector<definition> parameters_on(std::size_t step, const step_values& values) const;
     void read_starts(parameter_values& parameters);
     void read_dependence();
     void add_influences(const expression& e, std::set<std::string>& unknowns, std::vector<bool>& steps) const;

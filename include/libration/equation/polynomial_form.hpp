@@ -34,10 +34,16 @@ struct polynomial_form {
     std::vector<expression> leaves;
     /// The derivatives of `gradients` as polynomials in all unknowns; empty in a path_form.
     std::vector<gradient> polynomial_gradients = {};
+    /// Whether relative functions occur in it (relative_functions::kept).
+    bool has_functions = false;
 };
 
+/// What becomes of exprel, cosrel and sinc, which have no polynomial form about a zero of their argument: divisions by
+/// the argument, or functions that remain in the right-hand sides, where theorem T bounds them (expansion/tail_bound.hpp).
+enum class relative_functions { divided, kept };
+
 /// Throws error if the initial point is singular: the system has no polynomial form about it.
-polynomial_form lifted(const explicit_system& of);
+polynomial_form lifted(const explicit_system& of, relative_functions as = relative_functions::divided);
 /// The same for a system without initial values.
 polynomial_form lifted_about_points(const explicit_system& of);
 

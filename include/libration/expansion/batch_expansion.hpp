@@ -46,7 +46,6 @@ private:
     struct program;
 
     void compute(int step, int n);
-    void compute_one_by_one(const tape_step& step, int index, int n);
 
     tape tape_;
     int order_;

@@ -24,6 +24,19 @@ inline lane_numbers function_value<lane_numbers>(function_kind f, const lane_num
     return result;
 }
 
+/// The coefficients of series_values() in each lane.
+inline std::vector<lane_numbers> series_by_balls(function_kind f, relative_kind family, int order,
+                                                 const lane_numbers& x, int count) {
+    std::vector<lane_numbers> result(static_cast<std::size_t>(count));
+    for (std::size_t i = 0; i < batch_lanes; ++i) {
+        const std::vector<double> of_lane = series_by_balls(f, family, order, x[i], count);
+        for (std::size_t j = 0; j < result.size(); ++j) {
+            result[j][i] = of_lane[j];
+        }
+    }
+    return result;
+}
+
 template <>
 inline lane_numbers power_value<lane_numbers>(const lane_numbers& x, const lane_numbers& r) {
     lane_numbers result;

@@ -51,6 +51,8 @@ private:
     void set_centre(const tape_step& s, int index);
     template <class F>
     void set_kept(const tape_step& s, int index);
+    void begin_table(const tape_step& s, int index);
+    void next_in_table(const tape_step& s, int index, int n);
     void own_step(const tape_step& s, int index, int n);
     R centre(const tape_step& s) const;
 
@@ -61,6 +63,7 @@ private:
     std::vector<R> constants_;
     std::vector<R> arrays_;
     series::blocked_sums<R> sums_;
+    std::vector<std::vector<R>> tables_;  // of steps with a table, row after row; empty otherwise
     R point_ = R(0);
 };
 
@@ -199,7 +202,7 @@ R step_arrays<R>::centre(const tape_step& s) const {
         return constant_value<R>::of(*s.centre);
     }
     const R& at = array(s.left)[0];
-    if (s.kind == operation::primitive && s.constant >= 0) {
+    if (s.constant >= 0) {
         const rational order = tape_->constants()[static_cast<std::size_t>(s.constant)].fraction().value();
         return function_value<R>(s.function, at, &order);
     }
@@ -213,6 +216,11 @@ void step_arrays<R>::set_centre(const tape_step& s, int index) {
     if (s.kind == operation::power) {
         value = exact_ && s.centre ? constant_value<R>::of(*s.centre)
                                    : power_value<R>(array(s.left)[0], constants_[static_cast<std::size_t>(s.constant)]);
+        return;
+    }
+    if (function::with_function(s.function, [](auto of) { return function::in_table<decltype(of)>; }) &&
+        s.kind == operation::function) {
+        begin_table(s, index);
         return;
     }
     value = centre(s);
@@ -241,11 +249,56 @@ void step_arrays<R>::set_kept(const tape_step& s, int index) {
     }
 }
 
+// Row j of the table is the series of f^(j)(x)/j!.
+template <field R>
+void step_arrays<R>::begin_table(const tape_step& s, int index) {
+    const rational order = tape_->constants()[static_cast<std::size_t>(s.constant)].fraction().value();
+    const R& at = array(s.left)[0];
+    const auto values = function::with_function(s.function, [&](auto of) {
+        using each = decltype(of);
+        if constexpr (function::in_table<each>) {
+            return series_values<each>(function::relative_order(order), at, static_cast<int>(length_));
+        } else {
+            return std::vector<R>();
+        }
+    });
+    tables_.resize(tape_->steps().size());
+    auto& table = tables_[static_cast<std::size_t>(index)];
+    table.assign(length_ * length_, R(0));
+    for (std::size_t j = 0; j < length_; ++j) {
+        table[j * length_] = values[j];
+    }
+    array(index)[0] = values[0];
+    array(index + 1)[0] = length_ > 1 ? values[1] : R(0);
+}
+
+// n g_{j,n} = (j + 1) sum_{k=1}^{n} k x_k g_{j+1,n-k} for g_j = f^(j)(x)/j!. The first two rows are the step and its companion.
+template <field R>
+void step_arrays<R>::next_in_table(const tape_step& s, int index, int n) {
+    const R* const slope = array(s.right);
+    auto& table = tables_[static_cast<std::size_t>(index)];
+    const auto rows = static_cast<int>(length_) - n;
+    for (int j = 0; j < rows && n > 0; ++j) {
+        R* const row = table.data() + static_cast<std::size_t>(j) * length_;
+        const R* const above = row + length_;
+        const R sum = j + 1 < static_cast<int>(length_)
+                          ? series::product_coefficient(slope, above, n - 1, degrees_of(s.right))
+                          : R(0);
+        row[n] = R(sum * (j + 1) / n);
+    }
+    if (n > 0) {
+        array(index)[n] = table[static_cast<std::size_t>(n)];
+        array(index + 1)[n] = length_ > 1 ? table[length_ + static_cast<std::size_t>(n)] : R(0);
+    }
+}
+
 template <field R>
 void step_arrays<R>::own_step(const tape_step& s, int index, int n) {
     function::with_function(s.function, [&](auto of) {
         using each = decltype(of);
-        if constexpr (requires { each::kept; }) {
+        if constexpr (function::in_table<each>) {
+            next_in_table(s, index, n);
+        } else if constexpr (requires { each::kept; }) {
             function::series_arrays<R> arrays{array(s.left),
                                               array(s.right),
                                               array(index),

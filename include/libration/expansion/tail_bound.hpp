@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "libration/expansion/ball_expansion.hpp"
+#include "libration/expansion/function_kernel.hpp"
 #include "libration/scalar/ball/magnitude.hpp"
 
 namespace libration::ode {
@@ -34,6 +35,8 @@ struct series_sizes {
     std::vector<std::vector<magnitude>> of_steps;
     std::vector<magnitude> constants;  ///< of the tape
     magnitude point;
+    /// [step]; of a quotient only its reach, the least size of the divisor.
+    std::vector<function_kernel> kernels = {};
 };
 
 /// Those of an expansion up to a degree; it has as many more terms as the maximum lag of the steps of the tape.
@@ -44,10 +47,11 @@ series_sizes sizes_of(const tape& of, const taylor_expansion<R>& expansion, cons
 /// of first order, rho = radius, p the exact polynomials of degree N = sizes.degree: if for some s >= 0 and all i
 ///     rho/(N+1) ||f_i(p), degrees >= N|| + rho/(N+2) G_i(s) <= s_i,
 /// G_i(s) a bound of ||f_i(p + e) - f_i(p)|| for ||e_j|| <= s_j, the map e -> D + int(f(p+e) - f(p)) maps {e =
-/// O(t^(N+1)), ||e_i|| <= s_i} into itself, and the solution is p + e there. The tape must consist of products, squares
-/// and linear operations, and be made by tape::about_points; the coefficients are those about a point. Returns
-/// std::nullopt if no s was found: rho is too close to the radius of convergence, or the balls are too wide. The image
-/// of s under the map bounds e as well. O(N) per product, with 30-bit multiplications.
+/// O(t^(N+1)), ||e_i|| <= s_i} into itself, and the solution is p + e there. The tape must be one that
+/// norms_of_steps bounds (src/libration/expansion/step_norms.hpp): of products, quotients, powers and functions with a
+/// function_kernel; and be made by tape::about_points; the coefficients are those about a point. Returns std::nullopt if no
+/// s was found: rho is too close to the radius of convergence, or the balls are too wide. The image of s under the map
+/// bounds e as well. O(N) per product, O(N^2) per function, with 30-bit multiplications.
 std::optional<tail_bound> bounded_tail(const tape& of, const series_sizes& sizes, const magnitude& radius);
 template <field R>
 std::optional<tail_bound> bounded_tail(const tape& of, const taylor_expansion<R>& expansion, const R& point,
@@ -77,7 +81,7 @@ std::optional<remainder_bound> bounded_remainder(const tape& of, const taylor_ex
                                                  const std::vector<known_remainder>& known);
 
 /// Theorem S, the same as theorem T about a regular singular initial point, in powers of the distance t itself: a tape of root 1,
-/// made by tape::about_start, of products, squares and linear operations, in unknowns and first derivatives; N =
+/// made by tape::about_start, with the same operations, in unknowns and first derivatives; N =
 /// degree; the expansion must be longer by the maximum lag of the steps of the tape.
 ///
 /// t^q_i y_i^(q_i) = F_i(t, y, y'), where coefficient n of F_i depends on y_n only through sum_l w_il n .. (n-l+1)

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "libration/function/range.hpp"
+#include "libration/scalar/relative_kind.hpp"
 
 namespace libration::function {
 
@@ -14,6 +16,9 @@ struct ball_functions {
     range (*bounds)(function_kind f, const rational* order, const number_bounds& x);
     /// The parts of f(re + i im), within 2^-bits of the size of the value. Throws error if it has none.
     std::array<mpfr, 2> (*value)(function_kind f, const rational* order, const std::array<mpfr, 2>& z, long bits);
+    /// Coefficients 0 .. count - 1 of the series about z, rounded to these bits.
+    std::vector<std::array<mpfr, 2>> (*series)(relative_kind family, int order, const std::array<mpfr, 2>& z, int count,
+                                               long bits);
 };
 
 /// Installs these functions; they must stay valid.

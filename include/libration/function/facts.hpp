@@ -18,6 +18,9 @@
 //     odd                     whether that has an even function in addition to an odd one
 //     values_kept, first_kept the coefficients 0 of the first of these arrays
 //     companion_of            the function whose first array is this function
+//     has_table               whether the series is that of the first of all derivatives f^(j)(x)/j!, j = 0 .. N, each of which
+//                             follows from the next one: exact where x passes points at which a formula divides by 0
+//     by_division(n, x)       such a formula
 //     in_others(x)            a formula in other functions, which is used for series instead
 //     without_polynomial_form points with a series where the derivative divides by 0, so that nothing is proved there
 // A function of constant order (Bessel's) takes the order as first argument in all of them. list.hpp collects the

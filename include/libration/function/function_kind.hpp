@@ -42,9 +42,11 @@ enum class function_kind {
     airy_ai_prime,
     airy_bi,
     airy_bi_prime,
-    lambertw
+    lambertw,
+    exprel,
+    cosrel
 };
-inline constexpr std::size_t function_kinds = 33;
+inline constexpr std::size_t function_kinds = 35;
 
 /// The function with this name, for example "exp", and the name of a function.
 std::optional<function_kind> function_named(std::string_view name);

@@ -16,9 +16,11 @@
 #include "libration/function/elementary/cbrt.hpp"
 #include "libration/function/elementary/cos.hpp"
 #include "libration/function/elementary/cosh.hpp"
+#include "libration/function/elementary/cosrel.hpp"
 #include "libration/function/elementary/exp.hpp"
 #include "libration/function/elementary/exp2.hpp"
 #include "libration/function/elementary/expm1.hpp"
+#include "libration/function/elementary/exprel.hpp"
 #include "libration/function/elementary/log.hpp"
 #include "libration/function/elementary/log10.hpp"
 #include "libration/function/elementary/log1p.hpp"
@@ -46,6 +48,12 @@ namespace libration::function {
 template <class F>
 concept ordered = requires {
     requires F::has_order;
+};
+
+/// A function whose series come from those of all its derivatives (expansion/step_arrays.hpp).
+template <class F>
+concept in_table = requires {
+    requires F::has_table;
 };
 
 template <class F>
@@ -83,7 +91,7 @@ using all_functions =
               atanh_function, log10_function, log2_function, exp2_function, cbrt_function, sinc_function,
               expm1_function, log1p_function, erf_function, erfc_function, bessel_j_function, bessel_y_function,
               bessel_i_function, bessel_k_function, airy_ai_function, airy_ai_prime_function, airy_bi_function,
-              airy_bi_prime_function, lambertw_function>;
+              airy_bi_prime_function, lambertw_function, exprel_function, cosrel_function>;
 
 static_assert(all_functions::in_order(), "the functions are listed in the order of function_kind");
 

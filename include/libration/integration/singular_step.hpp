@@ -18,7 +18,8 @@ namespace libration::ode {
 class singular_series {
 public:
     /// In the largest disc that was found, with so many bits. Throws error if the series is not in integer powers of
-    /// the distance, or if the right-hand sides are not polynomials in the unknowns and their first derivatives;
+    /// the distance, or if the right-hand sides take more than products, quotients, powers, exp, log, sin, cos, sinh and
+    /// cosh of the unknowns and their first derivatives;
     /// precision_exhausted if no radius is proved.
     singular_series(const explicit_system& system, long bits, int degree, const proof_route& route = {});
     singular_series(const singular_series&) = delete;

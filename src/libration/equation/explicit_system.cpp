@@ -9,6 +9,7 @@
 #include "index_reduction.hpp"
 #include "libration/equation/defined_zero.hpp"
 #include "libration/scalar/error.hpp"
+#include "removable_singularity.hpp"
 #include "singular_form.hpp"
 #include "start_values.hpp"
 
@@ -55,8 +56,7 @@ bool same_number(const number& a, const number& b) {
 // Events and step functions need a sequence of smooth systems (hybrid/hybrid_system.hpp), delays a sequence of pieces
 // (delay/delay_system.hpp).
 void require_smooth(const equation_system& given) {
-    const std::string reason =
-        ", which only reference, trajectory and verify support";
+    const std::string reason = ", which only reference, trajectory and verify support";
     if (!given.events.empty()) {
         refuse(given.events.front().text, given.events.front().at, "is an event" + reason);
     }
@@ -93,7 +93,8 @@ explicit_system::explicit_system(const equation_system& given) : variable_(given
     std::vector<equation> equations;
     for (const equation& each : given.equations) {
         named("equation", each.at, [&] {
-            equations.push_back({parameters.in(each.left), parameters.in(each.right), each.at});
+            equations.push_back({with_removed_singularities(parameters.in(each.left)),
+                                 with_removed_singularities(parameters.in(each.right)), each.at});
             return 0;
         });
     }

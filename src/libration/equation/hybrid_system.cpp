@@ -324,10 +324,12 @@ equation_system hybrid_system::equations(const step_values& values, const number
     smooth.steps.clear();
     smooth.starts.clear();
     for (std::size_t i = 0; i < values.size(); ++i) {
-        if (is_at_rest(i, values)) {
+        if (is_sliding(i, values)) {
+            slide(i, values, smooth);
+        } else if (is_at_rest(i, values)) {
             keep_both_sides(i, values, smooth);
         }
-        for (const definition& each : parameters_of(given_.steps[i], values[i])) {
+        for (const definition& each : parameters_on(i, values)) {
             smooth.set(each.name, each.value);
         }
     }
@@ -337,15 +339,24 @@ equation_system hybrid_system::equations(const step_values& values, const number
     return smooth;
 }
 
-// Where the argument of a sign remains 0, it and what the equations are on both sides of its surface have to be defined.
-// Their parts are added behind all other occurrences of the unknowns, whose order is that of the state.
-void hybrid_system::keep_both_sides(std::size_t step, const step_values& values, equation_system& of) const {
+// Where the solution slides, conditions on the sign are as written on the surface.
+std::vector<definition> hybrid_system::parameters_on(std::size_t step, const step_values& values) const {
+    return parameters_of(given_.steps[step], is_sliding(step, values) ? number() : values[step]);
+}
+
+void hybrid_system::require_explicit(std::size_t step) const {
     if (equation_places_.empty()) {
         refuse(given_.steps[step].text, given_.steps[step].at,
                "remains 0, which is supported for equations that are solved for the highest derivatives: solve them");
     }
+}
+
+// Where the argument of a sign remains 0, it and what the equations are on both sides of its surface have to be defined.
+// Their parts are added behind all other occurrences of the unknowns, whose order is that of the state.
+void hybrid_system::keep_both_sides(std::size_t step, const step_values& values, equation_system& of) const {
+    require_explicit(step);
     std::map<std::string, expression> known;
-    for (const definition& each : parameters_of(given_.steps[step], values[step])) {
+    for (const definition& each : parameters_on(step, values)) {
         known.emplace(each.name, each.value);
     }
     const auto value = [&](const std::string& name) {
@@ -367,7 +378,7 @@ expression hybrid_system::argument(std::size_t step, const step_values& values) 
     }
     std::map<std::string, expression> known;
     for (std::size_t i = 0; i < step; ++i) {
-        for (const definition& each : parameters_of(given_.steps[i], values[i])) {
+        for (const definition& each : parameters_on(i, values)) {
             known.emplace(each.name, each.value);
         }
     }
@@ -377,7 +388,7 @@ expression hybrid_system::argument(std::size_t step, const step_values& values) 
 expression hybrid_system::on_branch(const expression& e, const step_values& values) const {
     std::map<std::string, expression> known;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        for (const definition& each : parameters_of(given_.steps[i], values[i])) {
+        for (const definition& each : parameters_on(i, values)) {
             known.emplace(each.name, each.value);
         }
     }
@@ -398,7 +409,7 @@ std::optional<number> hybrid_system::constant_step(std::size_t step, const step_
 }
 
 bool hybrid_system::is_at_rest(std::size_t step, const step_values& values) const {
-    return given_.steps[step].kind == step_kind::sign && values[step].sign() == 0 &&
+    return given_.steps[step].kind == step_kind::sign && (values[step].sign() == 0 || is_sliding(step, values)) &&
            argument(step, values).kind() != node_kind::constant;
 }
 
@@ -444,6 +455,9 @@ std::vector<surface> hybrid_system::surfaces(const step_values& values) const {
     for (std::size_t i = 0; i < given_.steps.size(); ++i) {
         const expression u = argument(i, values);
         if (u.kind() == node_kind::constant || is_at_rest(i, values)) {
+            if (is_sliding(i, values)) {
+                add_ends_of_sliding(i, values, all);
+            }
             continue;
         }
         for (const expression& each : levels(i, u, values[i])) {

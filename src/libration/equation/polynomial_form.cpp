@@ -33,7 +33,7 @@ gradient gradient_of(const expression& e, const std::vector<expression>& leaves)
 
 class lifting {
 public:
-    explicit lifting(const explicit_system& of) : of_(of) {}
+    explicit lifting(const explicit_system& of, relative_functions as) : of_(of), as_(as) {}
 
     polynomial_form result() {
         std::vector<expression> right;
@@ -72,7 +72,8 @@ public:
                 std::move(added_),
                 std::move(gradients),
                 leaves_,
-                std::move(polynomial_gradients)};
+                std::move(polynomial_gradients),
+                has_functions_};
     }
 
 private:
@@ -149,7 +150,13 @@ private:
         }
         return function::with_function(e.function(), [&](auto of) -> expression {
             using each = decltype(of);
-            if constexpr (requires { each::in_others(u); }) {
+            if constexpr (function::in_table<each>) {
+                if (as_ == relative_functions::divided) {
+                    return in_leaves(each::by_division(e.order(), u));
+                }
+                has_functions_ = true;
+                return with_argument(e, u);
+            } else if constexpr (requires { each::in_others(u); }) {
                 return in_leaves(each::in_others(u));
             } else {
                 return added(with_argument(e, u));
@@ -214,6 +221,8 @@ private:
     }
 
     const explicit_system& of_;
+    relative_functions as_;
+    bool has_functions_ = false;
     std::map<std::string, expression> given_;
     std::vector<expression> leaves_, added_;
     std::vector<std::optional<expression>> slopes_;
@@ -320,11 +329,12 @@ function::singular_points points_without_form(function_kind f) {
     });
 }
 
-void require_polynomial_form(const explicit_system& of) {
+void require_polynomial_form(const explicit_system& of, relative_functions as) {
     start_values values(leaves_at_start(of));
     node_values<bool> done;
     const auto check = [&](const expression& e) {
-        const auto points = e.kind() == node_kind::function ? points_without_form(e.function()) : function::no_points;
+        const bool divided = e.kind() == node_kind::function && as == relative_functions::divided;
+        const auto points = divided ? points_without_form(e.function()) : function::no_points;
         for (int i = 0; i < points.count; ++i) {
             const auto x = values.refusal_of(e.left()) ? std::nullopt : values.value_of(e.left()).fraction();
             if (x && *x == points.points[static_cast<std::size_t>(i)]) {
@@ -371,15 +381,17 @@ bool has_entire_solutions(const explicit_system& of) {
     });
 }
 
-polynomial_form lifted(const explicit_system& of) {
+polynomial_form lifted(const explicit_system& of, relative_functions as) {
     if (of.singular()) {
         refuse("", {}, "has a singular initial point, which is not supported by proofs: choose another initial point");
     }
-    require_polynomial_form(of);
-    return lifting(of).result();
+    require_polynomial_form(of, as);
+    return lifting(of, as).result();
 }
 
-polynomial_form lifted_about_points(const explicit_system& of) { return lifting(of).result(); }
+polynomial_form lifted_about_points(const explicit_system& of) {
+    return lifting(of, relative_functions::divided).result();
+}
 
 explicit_system with_variations(const polynomial_form& of) {
     const std::size_t count = of.leaves.size();

@@ -261,50 +261,6 @@ lane_numbers batch_expansion::sizes(int n) const {
     return result;
 }
 
-void batch_expansion::compute(int step, int n) {
-    const tape_step& s = tape_.steps()[static_cast<std::size_t>(step)];
-    // The recurrence of sinc depends on which coefficients are 0.
-    if (s.kind == operation::function && s.function == function_kind::sinc && n > 0) {
-        compute_one_by_one(s, step, n);
-    } else {
-        arrays_.compute(step, n);
-    }
-}
-
-// The separate recurrence of a function in each lane, on copies of its arrays.
-void batch_expansion::compute_one_by_one(const tape_step& step, int index, int n) {
-    const auto count = static_cast<std::size_t>(n) + 1;
-    const auto next_in_lane = [&](auto of, std::size_t lane) {
-        using each = decltype(of);
-        if constexpr (requires { each::kept; }) {
-            const auto copied = [&](int from) {
-                std::vector<double> copy(count);
-                for (std::size_t k = 0; k < count; ++k) {
-                    copy[k] = arrays_.array(from)[k][lane];
-                }
-                return copy;
-            };
-            const std::vector<double> x = copied(step.left);
-            const std::vector<double> slope = copied(step.right);
-            std::vector<std::vector<double>> own;
-            function::series_arrays<double> arrays{
-                x.data(), slope.data(), nullptr, {}, series::parity::any, series::parity::any, series::parity::any};
-            for (int i = 0; i <= each::kept; ++i) {
-                own.push_back(copied(index + i));
-                (i == 0 ? arrays.result : arrays.kept[static_cast<std::size_t>(i) - 1]) = own.back().data();
-            }
-            series::term_by_term sums;
-            each::next_coefficient(arrays, n, sums);
-            for (int i = 0; i <= each::kept; ++i) {
-                for (std::size_t k = 0; k < count; ++k) {
-                    arrays_.array(index + i)[k][lane] = own[static_cast<std::size_t>(i)][k];
-                }
-            }
-        }
-    };
-    for (std::size_t lane = 0; lane < batch_lanes; ++lane) {
-        function::with_function(step.function, [&](auto of) { next_in_lane(of, lane); });
-    }
-}
+void batch_expansion::compute(int step, int n) { arrays_.compute(step, n); }
 
 }  // namespace libration::ode

@@ -1,164 +1,16 @@
 #include "libration/expansion/tail_bound.hpp"
 
 #include <algorithm>
-#include <stdexcept>
+#include <cmath>
 
 #include "set_values.hpp"
+#include "step_norms.hpp"
 
 namespace libration::ode {
 
 namespace {
 
 constexpr int most_attempts = 40;
-
-// The norms of a step of the tape for the polynomials p: of the degrees below N, and of the others.
-struct step_norm {
-    std::vector<magnitude> terms;  // |a_j| rho^j, j < N, where a product needs them
-    magnitude low;
-    magnitude rest;
-};
-
-class norms_of_steps {
-public:
-    // All arguments must outlive it.
-    norms_of_steps(const tape& of, const series_sizes& sizes, const magnitude& radius)
-        : tape_(of), sizes_(sizes), terms_(static_cast<std::size_t>(sizes.degree)), radius_(radius) {
-        magnitude power(1U);
-        for (std::size_t j = 0; j <= terms_; ++j) {
-            powers_.push_back(power);
-            power *= radius;
-        }
-        all_.reserve(of.steps().size());
-        for (std::size_t i = 0; i < of.steps().size(); ++i) {
-            all_.push_back(norm_of(of.steps()[i], static_cast<int>(i)));
-        }
-    }
-
-    // ||step, degrees >= N|| for p itself.
-    const magnitude& rest(int step) const { return all_[static_cast<std::size_t>(step)].rest; }
-
-    // ||step(p + e) - step(p)|| where of_state(s) bounds ||e_i^(l)|| of the state s.
-    template <class OfState>
-    std::vector<magnitude> changes(const OfState& of_state) const {
-        std::vector<magnitude> result;
-        result.reserve(all_.size());
-        const auto norm = [&](int step) {
-            const step_norm& of = all_[static_cast<std::size_t>(step)];
-            return of.low + of.rest;
-        };
-        for (const tape_step& s : tape_.steps()) {
-            const auto left = [&]() -> const magnitude& { return result[static_cast<std::size_t>(s.left)]; };
-            const auto right = [&]() -> const magnitude& { return result[static_cast<std::size_t>(s.right)]; };
-            switch (s.kind) {
-                case operation::state: result.push_back(of_state(s)); break;
-                case operation::sum:
-                case operation::difference: result.push_back(left() + right()); break;
-                case operation::scaled: result.push_back(left() * factor_of(s)); break;
-                case operation::raised: result.push_back(magnitude(left())); break;
-                case operation::by_variable: result.push_back(left() * (sizes_.point + radius_)); break;
-                case operation::delayed: result.push_back(left() * shift_of(s)); break;
-                case operation::product:
-                    result.push_back(norm(s.left) * right() + left() * norm(s.right) + left() * right());
-                    break;
-                case operation::square: result.push_back(left() * (norm(s.left) + norm(s.left) + left())); break;
-                case operation::constant:
-                case operation::variable: result.emplace_back(); break;
-                case operation::quotient:
-                case operation::slope:
-                case operation::square_root:
-                case operation::power:
-                case operation::function:
-                case operation::primitive:
-                case operation::companion: refuse(); break;
-            }
-        }
-        return result;
-    }
-
-private:
-    [[noreturn]] static void refuse() { throw std::logic_error("theorem T takes products and sums alone"); }
-
-    magnitude factor_of(const tape_step& s) const {
-        if (s.constant >= 0) {
-            return sizes_.constants[static_cast<std::size_t>(s.constant)];
-        }
-        const auto above = static_cast<unsigned long>(s.numerator < 0 ? -static_cast<long>(s.numerator) : s.numerator);
-        return magnitude(above) / static_cast<unsigned long>(s.denominator);
-    }
-
-    magnitude shift_of(const tape_step& s) const { return pow(radius_, static_cast<unsigned long>(s.shift)); }
-
-    const step_norm& of(int step) const { return all_[static_cast<std::size_t>(step)]; }
-
-    step_norm norm_of(const tape_step& s, int index) const {
-        step_norm result;
-        const std::vector<magnitude>& a = sizes_.of_steps[static_cast<std::size_t>(index)];
-        result.terms.reserve(terms_);
-        for (std::size_t j = 0; j < terms_; ++j) {
-            result.terms.push_back(a[j] * powers_[j]);
-            result.low += result.terms.back();
-        }
-        result.rest = rest_of(s, a);
-        return result;
-    }
-
-    magnitude rest_of(const tape_step& s, const std::vector<magnitude>& a) const {
-        switch (s.kind) {
-            case operation::state: return a[terms_] * powers_[terms_];
-            case operation::constant:
-            case operation::variable: return s.kind == operation::variable && terms_ == 1 ? radius_ : magnitude();
-            case operation::sum:
-            case operation::difference: return of(s.left).rest + of(s.right).rest;
-            case operation::scaled: return of(s.left).rest * factor_of(s);
-            case operation::raised: return of(s.left).rest;
-            case operation::by_variable:
-                return of(s.left).rest * (sizes_.point + radius_) + of(s.left).terms.back() * radius_;
-            case operation::delayed: return rest_of_delayed(of(s.left), s);
-            case operation::product: return rest_of_product(of(s.left), of(s.right));
-            case operation::square: return rest_of_product(of(s.left), of(s.left));
-            case operation::quotient:
-            case operation::slope:
-            case operation::square_root:
-            case operation::power:
-            case operation::function:
-            case operation::primitive:
-            case operation::companion: break;
-        }
-        refuse();
-    }
-
-    // The degrees from N - shift on, moved up.
-    magnitude rest_of_delayed(const step_norm& a, const tape_step& s) const {
-        magnitude sum = a.rest;
-        const auto shift = static_cast<std::size_t>(s.shift);
-        for (std::size_t j = terms_ - std::min(shift, terms_); j < terms_; ++j) {
-            sum += a.terms[j];
-        }
-        return sum * shift_of(s);
-    }
-
-    // sum_j |a_j| rho^j (tail of b from N - j) + ||a|| r_b + r_a ||b|| + r_a r_b.
-    static magnitude rest_of_product(const step_norm& a, const step_norm& b) {
-        magnitude tail;
-        magnitude sum;
-        const std::size_t count = a.terms.size();
-        for (std::size_t j = 1; j < count; ++j) {
-            tail += b.terms[count - j];
-            sum.add_product(a.terms[j], tail);
-        }
-        sum.add_product(a.low, b.rest);
-        sum.add_product(a.rest, b.low);
-        sum.add_product(a.rest, b.rest);
-        return sum;
-    }
-
-    const tape& tape_;
-    const series_sizes& sizes_;
-    std::size_t terms_;
-    magnitude radius_;
-    std::vector<magnitude> powers_;
-    std::vector<step_norm> all_;
-};
 
 // s with defects_i ||f_i(p), degrees >= N|| + gains_i G_i(s) <= s_i for all i, or its image under the map, which is not
 // larger; G by of_state(s, state). The s_i of known unknowns are given.
@@ -180,7 +32,13 @@ std::optional<std::vector<magnitude>> kept_by_map(const tape& of, const norms_of
     const auto image = [&](const std::vector<magnitude>& s) {
         std::vector<magnitude> result = defect;
         const auto changes = norms.changes([&](const tape_step& state) { return of_state(s, state); });
+        // A function that is not defined on the disc has no bound, also if a factor 0 hides it.
+        const bool bounded =
+            norms.are_finite() && std::ranges::all_of(changes, [](const magnitude& each) { return each.is_finite(); });
         for (std::size_t i = 0; i < result.size(); ++i) {
+            if (!bounded) {
+                result[i] = magnitude(1U) / magnitude();
+            }
             result[i] += changes[static_cast<std::size_t>(of.outputs()[i])] * gain;
         }
         set_known(result);
@@ -211,9 +69,71 @@ std::optional<std::vector<magnitude>> kept_by_map(const tape& of, const norms_of
 
 }  // namespace
 
+namespace {
+
+// The parts of a number that may be complex.
+const ball& real_part(const ball& x) { return x; }
+const ball& real_part(const complex_number<ball>& x) { return x.re; }
+magnitude size_of_imaginary_part(const ball& /*x*/) { return {}; }
+magnitude size_of_imaginary_part(const complex_number<ball>& x) { return magnitude(x.im); }
+
+// At least |x|, and a whole number.
+unsigned long whole_above(const ball& x) {
+    constexpr double largest = 1'000'000;
+    const double above = magnitude(x).above();
+    return above < largest ? static_cast<unsigned long>(std::ceil(above)) : static_cast<unsigned long>(largest);
+}
+
+// By the coefficients of powers, (r over j) is at most that of (1 - z)^-ceil|r|; those of the logarithm are at most 1.
+template <field R>
+function_kernel kernel_of(const tape& of, const tape_step& step, const taylor_expansion<R>& expansion, const R& value) {
+    const auto centre = [&](int operand) -> const R& { return expansion.of_step(operand)[0]; };
+    switch (step.kind) {
+        case operation::quotient: return {{}, least_size_of(centre(step.right)), 1};
+        case operation::square_root: return {size_of(value), least_size_of(centre(step.left)), 1};
+        case operation::power: {
+            const ball exponent = constant_value<ball>::of(of.constants()[static_cast<std::size_t>(step.constant)]);
+            return {size_of(value), least_size_of(centre(step.left)), whole_above(exponent)};
+        }
+        case operation::function: break;
+        case operation::constant:
+        case operation::variable:
+        case operation::state:
+        case operation::sum:
+        case operation::difference:
+        case operation::scaled:
+        case operation::raised:
+        case operation::by_variable:
+        case operation::delayed:
+        case operation::product:
+        case operation::square:
+        case operation::slope:
+        case operation::primitive:
+        case operation::companion: return {};
+    }
+    const R& c = centre(step.left);
+    const auto is = [&](function_kind f) { return step.function == f; };
+    if (is(function_kind::log)) {
+        return {magnitude(1U), least_size_of(c), 1};
+    }
+    if (is(function_kind::sin) || is(function_kind::cosrel)) {
+        return {exponential(size_of_imaginary_part(c)), {}, 0};
+    }
+    if (is(function_kind::sinh)) {
+        return {exponential(magnitude(real_part(c))), {}, 0};
+    }
+    if (is(function_kind::exp) || is(function_kind::exprel)) {
+        const magnitude size(exp(real_part(c)));
+        return {is(function_kind::exp) ? size : std::max(magnitude(1U), size), {}, 0};
+    }
+    return {};
+}
+
+}  // namespace
+
 template <field R>
 series_sizes sizes_of(const tape& of, const taylor_expansion<R>& expansion, const R& point, int degree) {
-    series_sizes result{degree, {}, {}, size_of(point)};
+    series_sizes result{degree, {}, {}, size_of(point), {}};
     for (const number& each : of.constants()) {
         result.constants.push_back(size_of(constant_value<R>::of(each)));
     }
@@ -221,6 +141,7 @@ series_sizes sizes_of(const tape& of, const taylor_expansion<R>& expansion, cons
     result.of_steps.reserve(of.steps().size());
     for (std::size_t i = 0; i < of.steps().size(); ++i) {
         const R* const a = expansion.of_step(static_cast<int>(i));
+        result.kernels.push_back(kernel_of(of, of.steps()[i], expansion, a[0]));
         auto& row = result.of_steps.emplace_back();
         row.reserve(count + 1);
         for (std::size_t j = 0; j < count + (of.steps()[i].kind == operation::state ? 1 : 0); ++j) {

@@ -317,7 +317,11 @@ template <class F>
 int tape_builder::own_series(const expression& e) {
     const int a = done_.at(e.left());
     tape_step step{.kind = operation::function, .left = a, .right = slope_of(a), .function = F::kind, .odd = F::odd};
-    step.centre = centre_of(F::kind, 0, e.left());
+    if (e.has_order()) {
+        step.constant = constant_index(number(rational(function::relative_order(e.order()))));
+    } else {
+        step.centre = centre_of(F::kind, 0, e.left());
+    }
     const auto before = result_.steps_.size();
     const int index = shared(step);
     if (result_.steps_.size() == before) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "libration/digits/precision_loop.hpp"
 #include "libration/function/ball_functions.hpp"
@@ -63,10 +64,20 @@ std::array<mpfr, 2> flint_value(function_kind f, const rational* order, const st
     return *std::move(found);
 }
 
+std::vector<std::array<mpfr, 2>> flint_series(relative_kind family, int order, const std::array<mpfr, 2>& z, int count,
+                                              long bits) {
+    const precision_scope scope(decimal_digits(bits + 32));
+    std::vector<std::array<mpfr, 2>> result;
+    for (const auto& each : relative_series(family, order, complex_number<ball>(ball(z[0]), ball(z[1])), count)) {
+        result.push_back({midpoint_of(each.re), midpoint_of(each.im)});
+    }
+    return result;
+}
+
 }  // namespace
 
 bool use_flint() {
-    static constexpr ball_functions by_flint{flint_bounds, flint_value};
+    static constexpr ball_functions by_flint{flint_bounds, flint_value, flint_series};
     use_functions(by_flint);
     return true;
 }

@@ -226,7 +226,17 @@ std::optional<std::vector<ball>> hybrid_path::state_before(const number& time) {
     state_step_ = std::max(state_step_, along.first());
     const auto place = steps_about(along, state_step_, enclosed_number(time));
     if (place) {
-        return values_at(*place);
+        std::vector<ball> state = values_at(*place);
+        // The argument of a sign along the surface of which the solution remains is 0.
+        for (std::size_t i = 0; i < piece_->steps.size(); ++i) {
+            if (system_.is_at_rest(i, piece_->steps)) {
+                const auto given = given_values(piece_->system, system_.argument(i, piece_->steps));
+                for (std::size_t k = 0; k < given.size(); ++k) {
+                    state[k] = given[k] ? enclosed_number(*given[k]) : state[k];
+                }
+            }
+        }
+        return state;
     }
     ended(along.why() == stop::step_too_small ? path_end::steps : path_end::precision,
           "the step size falls below its minimum at time " + proved_reach_text(along.reached(), true) +

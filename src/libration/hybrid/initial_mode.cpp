@@ -1,6 +1,7 @@
 #include "libration/hybrid/initial_mode.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <map>
 #include <utility>
@@ -51,6 +52,7 @@ public:
                 }
             }
         }
+        decide_beside_surface();
         for (std::size_t i = 0; i < found_.size(); ++i) {
             if (!found_[i]) {
                 return failed_at(i);
@@ -180,6 +182,74 @@ private:
         return std::nullopt;
     }
 
+    // (5) and (6), for the only step that is not found.
+    void decide_beside_surface() {
+        const auto open = std::ranges::find_if(found_, [](const auto& each) { return !each; });
+        if (open == found_.end() || std::ranges::count_if(found_, [](const auto& each) { return !each; }) != 1) {
+            return;
+        }
+        const auto i = static_cast<std::size_t>(open - found_.begin());
+        const step_values values = found_values();
+        const bool rests = [&] {
+            for (std::size_t j = 0; j < values.size(); ++j) {
+                if (j != i && system_.is_at_rest(j, values)) {
+                    return true;
+                }
+            }
+            return false;
+        }();
+        if (system_.steps()[i].kind != step_kind::sign || rests || is_in_another_argument(i)) {
+            return;
+        }
+        const expression u = system_.argument(i, values);
+        if (u.has_unknowns() && at_.sign(u) == 0) {
+            found_[i] = value_beside_surface(i, u);
+        }
+    }
+
+    std::optional<number> value_beside_surface(std::size_t i, const expression& u) {
+        influences_.assign(found_.size(), true);
+        if (!find_all_lists() || lists_.size() != 3 || !is_between_sides()) {
+            return std::nullopt;
+        }
+        const auto derivatives = derivatives_of(u, false);  // for the signs -1, 0, 1
+        if (!derivatives) {
+            return std::nullopt;
+        }
+        const derivative_on& below = derivatives->front();
+        const derivative_on& above = derivatives->back();
+        const bool back_down = above.sign == -1 || vanishes_with(above.value, u);
+        const bool back_up = below.sign == 1 || vanishes_with(below.value, u);
+        if (back_down && back_up) {
+            return above.sign == -1 || below.sign == 1 ? std::optional(sliding_value()) : std::nullopt;
+        }
+        for (const auto& [side, other] : {std::pair(&above, &below), std::pair(&below, &above)}) {
+            const int sign = side == &above ? 1 : -1;
+            if (side->sign == 0 && other->sign == sign &&
+                at_.sign(at_.derivative(side->value, side->list->slopes)) == sign) {
+                return sign_number(sign);
+            }
+        }
+        failures_.emplace(i, mode_failure::undecided);
+        return std::nullopt;
+    }
+
+    // Whether the slopes with the sign 0 are those on one side, or the mean of both, identically.
+    bool is_between_sides() const {
+        const auto& below = lists_[0].slopes;
+        const auto& on = lists_[1].slopes;
+        const auto& above = lists_[2].slopes;
+        return std::ranges::any_of(std::array{rational(0), rational(1), rational(1, 2)}, [&](const rational& share) {
+            for (std::size_t k = 0; k < on.size(); ++k) {
+                const expression mixed = below[k] + expression(share) * (above[k] - below[k]);
+                if (!is_identically_zero(on[k] - mixed)) {
+                    return false;
+                }
+            }
+            return true;
+        });
+    }
+
     // Along the branches of all lists; std::nullopt if one is not finite near the beginning. With `beyond` the signs of
     // functions of the variable alone are those directly after it.
     std::optional<std::vector<derivative_on>> derivatives_of(const expression& of, bool beyond) const {
@@ -303,6 +373,9 @@ private:
     // Each step has the value of its argument on the branch that is entered.
     initial_mode verified(step_values values) {
         for (std::size_t i = 0; i < values.size(); ++i) {
+            if (system_.is_sliding(i, values)) {
+                continue;  // its argument is 0 along the branch by its equations
+            }
             if (!is_same(plain_value(i, values), values[i]) && !is_same(value_on(i, values), values[i])) {
                 return failed_at(i);
             }

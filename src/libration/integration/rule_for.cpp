@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "../expansion/set_values.hpp"
+#include "first_step.hpp"
 #include "libration/equation/first_order_form.hpp"
 #include "libration/integration/singular_step.hpp"
 #include "method_choice.hpp"
 #include "root/root_rule.hpp"
-#include "first_step.hpp"
 
 namespace libration::ode {
 
@@ -51,7 +51,7 @@ nested_rule::nested_rule(const explicit_system& of, const run_bits& bits, const 
                                     : singular_        ? singular_->beyond
                                                        : of;
     regular_ = std::make_unique<method_choice>(
-        lifted(regular), bits, route, weights,
+        lifted(regular, relative_functions::kept), bits, route, weights,
         [this](const series_step& whole, int direction) { return roots_ ? roots_->entry(whole, direction) : nullptr; });
     if (auto times = root_times(regular); !times.empty() || begins_at_root(of)) {
         roots_ = std::make_unique<root_rule>(begins_at_root(of) ? of : regular, std::move(times), bits, route, weights);
@@ -66,7 +66,7 @@ void nested_rule::require_given_start(const flow_state& start) const {
     const auto found = start.set.hull();
     for (std::size_t i = 0; i < given.size(); ++i) {
         if (arb_equal(given[i].handle(), found[i].handle()) == 0) {
-            lifted(of_);
+            lifted(of_, relative_functions::kept);
             throw std::logic_error("a set about a singular initial point");
         }
     }

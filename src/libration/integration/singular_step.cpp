@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "../expansion/set_values.hpp"
+#include "../expansion/step_norms.hpp"
 #include "libration/equation/first_order_form.hpp"
 #include "libration/scalar/proved.hpp"
 
@@ -23,7 +24,7 @@ constexpr int more_powers = 24;
     throw error(error_kind::argument, error_subject::problem, "", "has a singular initial point " + why);
 }
 
-void require_polynomials(const tape& of) {
+void require_bounded_steps(const tape& of) {
     if (of.root() != 1) {
         refuse_start("with powers of a root of the distance, which is not proved: choose another initial point");
     }
@@ -32,29 +33,11 @@ void require_polynomials(const tape& of) {
             refuse_start("with second derivatives, which is not proved: choose another initial point");
         }
     }
-    using enum operation;
     for (const tape_step& each : of.steps()) {
-        switch (each.kind) {
-            case constant:
-            case variable:
-            case state:
-            case sum:
-            case difference:
-            case scaled:
-            case raised:
-            case delayed:
-            case product:
-            case square: break;
-            case by_variable:
-            case quotient:
-            case slope:
-            case square_root:
-            case power:
-            case function:
-            case primitive:
-            case companion:
-                refuse_start(
-                    "with more than products of its unknowns, which is not proved: choose another initial point");
+        if (!norms_of_steps::bounds(each)) {
+            refuse_start("where it takes " + std::string(name_of(each.function)) +
+                         ", which is not proved there: write it with exp, log, sin, cos, sinh, cosh, powers and "
+                         "quotients, or choose another initial point");
         }
     }
 }
@@ -69,7 +52,7 @@ int longest_lag(const tape& of) {
 
 tape tape_of(const explicit_system& system) {
     tape of = tape::about_start(system);
-    require_polynomials(of);
+    require_bounded_steps(of);
     return of;
 }
 

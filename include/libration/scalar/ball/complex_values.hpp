@@ -1,6 +1,7 @@
 // Functions of complex balls by FLINT.
 #pragma once
 
+#include "libration/scalar/ball/relative_functions.hpp"
 #include "libration/scalar/ball/traits.hpp"
 #include "libration/scalar/complex_number.hpp"
 
@@ -46,6 +47,9 @@ requires(std::same_as<Balls, complex_number<ball>>&&...) complex_number<ball> fu
     F::complex_ball(result.handle(), flint_complex(arguments).handle()..., ball::working_bits());
     return result.number();
 }
+
+/// As for real balls (relative_functions.hpp).
+std::vector<complex_number<ball>> relative_series(relative_kind kind, int n, const complex_number<ball>& x, int count);
 
 /// The number of accurate bits relative to the size of a complex ball.
 inline long relative_bits(const complex_number<ball>& z) { return acb_rel_accuracy_bits(flint_complex(z).handle()); }

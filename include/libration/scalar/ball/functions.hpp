@@ -2,6 +2,7 @@
 // its arguments, or is unbounded if an argument may be outside the domain.
 #pragma once
 
+#include "libration/scalar/ball/relative_functions.hpp"
 #include "libration/scalar/ball/value.hpp"
 
 #if __has_include(<flint/arb_hypgeom.h>)

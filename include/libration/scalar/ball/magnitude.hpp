@@ -101,6 +101,12 @@ public:
         mag_pow_ui(result.value_, a.value_, n);
         return result;
     }
+    /// At least exp(a).
+    friend magnitude exponential(const magnitude& a) {
+        magnitude result;
+        mag_exp(result.value_, a.value_);
+        return result;
+    }
     /// At least sqrt(a^2 + b^2).
     friend magnitude hypotenuse(const magnitude& a, const magnitude& b) {
         magnitude result;

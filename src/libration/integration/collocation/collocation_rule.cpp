@@ -80,6 +80,9 @@ long collocation_rule::first_interval() const {
 }
 
 std::string collocation_rule::obstacle(bool with_derivative) const {
+    if (system_.has_functions) {
+        return "needs a polynomial form, which quotients with removable singularities do not have";
+    }
     const std::size_t count = system_.leaves.size() * (with_derivative ? 1 + system_.given : 1);
     const std::size_t most = with_derivative ? most_unknowns_with_derivative : most_collocation_unknowns;
     if (count > most) {

@@ -90,7 +90,7 @@ std::shared_ptr<const step> root_rule::entry(const series_step& whole, int direc
         return nullptr;
     }
     const explicit_system system = in_root(form_, *nearest, number(rational(as_double(passage->begins))));
-    auto rule = std::make_shared<taylor_rule>(lifted(system), bits_, route_, weights_);
+    auto rule = std::make_shared<taylor_rule>(lifted(system, relative_functions::kept), bits_, route_, weights_);
     passage->rule = rule;
     auto made = std::make_shared<root_entry>(whole, distance, std::move(passage));
     rule->begin(dynamic_cast<const root_state&>(*made->end().more).inner);
