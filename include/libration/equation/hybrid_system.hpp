@@ -18,7 +18,7 @@ namespace libration::ode {
 /// slides, whose argument is 0, too.
 using step_values = std::vector<number>;
 
-/// 1/2, which is no value of a step function.
+/// 1/2, which is not a value of a step function.
 number sliding_value();
 
 /// What happens where a function g crosses 0: the event or the step function of this index. `orientation` is

@@ -1,4 +1,4 @@
-// The heuristic verdict on the coefficients, judged by a proved radius of convergence.
+// The heuristic verdict on the coefficients, compared with a proved radius of convergence.
 #pragma once
 
 #include <optional>

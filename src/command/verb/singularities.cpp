@@ -113,7 +113,7 @@ answer singularities_of(const singularities_options& options, const solution& of
     }
 }
 
-// What a proved radius says of the verdict on the coefficients.
+// The verdict on the coefficients, compared with a proved radius.
 std::string judgement_for(const solution& of, long digits) {
     try {
         const auto bounds = of.radius(series_request{}, {.scalar = {scalar_kind::proved, digits}});
@@ -122,7 +122,7 @@ std::string judgement_for(const solution& of, long digits) {
                    .text() +
                "\n";
     } catch (const error& problem) {
-        return std::string("heuristic verdict not judged: ") + problem.what() + "\n";
+        return std::string("heuristic verdict not compared: ") + problem.what() + "\n";
     }
 }
 

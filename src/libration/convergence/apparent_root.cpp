@@ -86,7 +86,7 @@ bool is_apparent(const approximant_family& family, const root_consensus& root, c
     const double regular =
         next == nullptr ? singular - 60
                         : -(std::clamp(next->exponent.value.convert_to<double>(), -9.0, 9.0) + 1) * growth - m * ratio;
-    // What is much blunter than a place further out is hardly singular: less is asked.
+    // A place that is much less sharp than one further out is hardly singular: a smaller gap decides.
     const double gap = width_of(root) > 1e6 * width_of(sharpest) ? 2 : 8;
     return singular - regular > gap && fall < (singular + regular) / 2;
 }

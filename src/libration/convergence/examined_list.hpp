@@ -1,4 +1,4 @@
-// A list with the family of its approximants and the clusters of their roots.
+// A list with a family of approximants and the clusters of their roots.
 #pragma once
 
 #include <memory>

@@ -106,7 +106,7 @@ std::optional<size_growth> size_growth_of(std::span<const mpfr> b) {
 }
 
 mpfr level_unit(std::span<const mpfr> b) {
-    // In logarithms; a class of coefficients that falls much faster, as the even ones of tan(x) + exp(x^2), says nothing.
+    // In logarithms; a class of coefficients that falls much faster, as the even ones of tan(x) + exp(x^2), does not count.
     constexpr double far_below = 12;
     auto points = sizes_from(b, std::max<std::size_t>(1, (b.size() - 1) / 2));
     double slope = 0;

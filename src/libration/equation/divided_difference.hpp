@@ -22,7 +22,7 @@ std::optional<linear_sum> linear_sum_of(const expression& e);
 bool is_proved_zero(const number& x);
 
 /// Expressions as functions of u, the terms of a linear form. Every operation returns std::nullopt for an expression that
-/// is no such function, is too large, or takes a function that is not supported.
+/// is not such a function, is too large, or contains a function that is not supported.
 class function_of_one {
 public:
     explicit function_of_one(linear_sum u);

@@ -115,8 +115,8 @@ std::vector<number> candidates(const std::vector<const expression*>& among, cons
     return all;
 }
 
-// Two functions of u with a common zero, divided by u - u0 as often as both are 0 there; std::nullopt if the divisor is
-// not 0 at u0, or if its zero is of higher order.
+// Two functions of u with a common zero, divided by u - u0 as often as both vanish there; std::nullopt if the divisor
+// is nonzero at u0, or has a zero of higher order.
 std::optional<std::pair<expression, expression>> divided_pair(expression above, expression below, const linear_sum& u,
                                                               const number& u0) {
     function_of_one of(u);
