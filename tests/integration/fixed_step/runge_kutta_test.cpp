@@ -7,7 +7,7 @@
 #include "libration/pendulum/runge_kutta.hpp"
 #include "scalars.hpp"
 
-namespace integration_runge_kutta_test {
+namespace integration_fixed_step_runge_kutta_test {
 
 using namespace libration;
 using namespace libration::tests;
@@ -60,4 +60,4 @@ TEST_CASE("equations that depend on the time are evaluated at the stages", "[int
     CHECK(abs(march.advance_to(mpfr(2))[0][0] - 4) < mpfr("1e-37"));
 }
 
-}  // namespace integration_runge_kutta_test
+}  // namespace integration_fixed_step_runge_kutta_test
