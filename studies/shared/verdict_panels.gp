@@ -13,9 +13,12 @@ own_range(which, low, high) = low < high ? sprintf('set %srange [*:*]', which) :
 moved = "(v_ = abs(at('radius') / size_of_radius - 1), v_ > 1e-16 ? v_ : NaN)"
 moved_drawn = 0
 if (exists_file(history)) { eval count_of('moved_drawn', history, "abs(at('radius') / size_of_radius - 1) > 1e-16") }
+stated_low = 0; stated_high = 1
+if (exists_file(history)) { eval extent('stated', history, 'uncertainty', '1') }
+history_range = stated_low < stated_high || moved_drawn ? '[*:*]' : sprintf('[%.15g:%.15g]', stated_low / size_of_radius / 10, stated_low / size_of_radius * 10)
 history_layer = rows(history, 'order', "(at('uncertainty') / at('radius'))", '1')." with linespoints pt 7 ps 0.8 lw 1.5 lc rgb shade[4] title 'stated uncertainty / R'" \
     .(moved_drawn ? ', '.rows(history, 'order', moved, '1')." with points pt 6 ps 1 lw 1.4 lc rgb shade[5] title 'distance from the last radius / R'" : '')
-history_panel = wide_margin."panel_title = in_front.'the verdict from the first coefficients'; set xlabel 'last power N'; y_name = 'relative to R'; x_axis = 'set xrange [*:*]'; y_axis = 'set logscale y; set yrange [*:*]'; layers = history_layer"
+history_panel = wide_margin."panel_title = in_front.'the verdict from the first coefficients'; set xlabel 'last power N'; y_name = 'relative to R'; x_axis = 'set xrange [*:*]'; y_axis = 'set logscale y; set yrange '.history_range; layers = history_layer"
 
 # Positions in a power of ten that makes them about 1.
 x_c = strlen(v_position_re) ? number(v_position_re) : 1
