@@ -361,7 +361,7 @@ TEST_CASE("what reference and find of a problem do not understand is refused", "
     check_refused(reference + words{"--until", "x = 0", "--crossing", "left"}, {"--crossing", "'left'"});
     check_refused(reference + words{"--until", "x = 0", "--count", "0"}, {"--count"});
     check_refused(reference + words{"--until", "1 = 2"}, {"--until"});
-    check_refused({"reference", "--problem", "t*y'' + 2*y' + t*gamma(y) = 0; y(0) = 1; y'(0) = 0", "--time", "1"},
+    check_refused({"reference", "--problem", "t*y'' + 2*y' + t*erf(y) = 0; y(0) = 1; y'(0) = 0", "--time", "1"},
                   {"--problem", "singular"});
     check_refused({"find"}, {"--problem"});
     check_refused({"find", "--problem", "lorenz"}, {"--unknown"});
