@@ -9,6 +9,7 @@
 #include "libration/plane/proved_singularity.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "tournament_scores.hpp"
+#include "tournament_values.hpp"
 
 namespace libration::studies {
 
@@ -42,14 +43,16 @@ void derive_rankings(std::vector<study_table>& tables) {
     for (const table_row_cells& row : tables[1].data.rows()) {
         answers.push_back(score_in(row));
     }
-    tables[2].data = ranking(answers);
-    tables[3].data = coverage(answers);
+    tables[3].data = ranking(answers);
+    tables[4].data = coverage(answers);
+    tables[5].data = value_scores(tables[2].data);
 }
 
-// The groups of a plan: every problem in every scalar.
+// The groups of a plan: every problem in every scalar, then the lists with known values.
 struct tournament {
     std::vector<scalar_spec> scalars;
     std::vector<problem_list> problems;  // by scalar
+    int lists = 0, seed = 0;             // with known values
 
     struct contest {
         const known_series<mpfr>& problem;
@@ -57,7 +60,10 @@ struct tournament {
         const scalar_spec& scalar;
     };
 
-    std::size_t size() const { return problems.front().size() * scalars.size(); }
+    std::size_t contests() const { return problems.front().size() * scalars.size(); }
+    std::size_t size() const { return contests() + static_cast<std::size_t>(lists); }
+    bool is_value(std::size_t i) const { return i >= contests(); }
+    int list_at(std::size_t i) const { return static_cast<int>(i - contests()); }
     contest at(std::size_t i) const {
         const std::size_t in = i % scalars.size();
         const std::size_t which = i / scalars.size();
@@ -70,25 +76,43 @@ study_plan plan(const study_request& request) {
     all->scalars =
         request.scalar ? std::vector{*request.scalar} : std::vector{read_scalar("double"), read_scalar("mpfr:60")};
     all->problems = problems_in(all->scalars, request);
+    all->lists = request.values.counts("lists").front();
+    all->seed = request.values.counts("seed").front();
     const scalar_spec& last = all->scalars.back();
+    const scalar_spec exact_lists{scalar_kind::arbitrary, digits_of_lists_to_sum};
     study_plan plan = plan_of_values(
         {head_of("", last, columns()), head_of("scores", last, score_columns()),
-         head_of("ranking", last, ranking_columns()), head_of("coverage", last, coverage_columns())},
+         head_of("values", exact_lists, value_columns()), head_of("ranking", last, ranking_columns()),
+         head_of("coverage", last, coverage_columns()), head_of("value_coverage", exact_lists, value_score_columns())},
         {"energy", "gap", "point", "lists", "seed", "order"}, all->size(),
         [all](std::size_t i) {
+            if (all->is_value(i)) {
+                return cell_inputs{{"value of list", std::to_string(all->list_at(i))},
+                                   {"seed", std::to_string(all->seed)}};
+            }
             const auto& [problem, half, scalar] = all->at(i);
             return cell_inputs{{"problem", problem.name}, {"half", half}, {"scalar", scalar.name()}};
         },
         orders_from(request, 0, ""),
         [all](std::size_t i, const std::vector<int>& orders) {
+            if (all->is_value(i)) {
+                const std::vector<judged_answer> none;
+                return std::vector<table>{
+                    make_table(columns(), none), make_table(score_columns(), none),
+                    make_table(value_columns(), values_of_drawn(all->list_at(i), all->seed, orders))};
+            }
             const auto& [problem, half, scalar] = all->at(i);
             const precision_scope scope(scalar.digits + score_guard_digits);
             const auto answers = answers_of(problem, half, orders, scalar);
-            return std::vector<table>{make_table(columns(), answers), make_table(score_columns(), answers)};
+            return std::vector<table>{make_table(columns(), answers), make_table(score_columns(), answers),
+                                      make_table(value_columns(), std::vector<judged_value>())};
         });
     plan.tables[1].written = false;
     // The cost of a list is that of its arithmetic, some tens of times more without hardware support.
     plan.cost = [all](std::size_t i) {
+        if (all->is_value(i)) {
+            return static_cast<double>(digits_of_lists_to_sum);
+        }
         const scalar_spec& scalar = all->at(i).scalar;
         return scalar.kind == scalar_kind::arbitrary ? static_cast<double>(scalar.digits) : 1.0;
     };
@@ -239,7 +263,9 @@ const study& radius_tournament() {
             "roots gain a digit for ten times the coefficients; fitted recurrences (poles, differential approximants) "
             "take what the arithmetic holds. Right: how often the error was within the uncertainty that came with it, "
             "on the half of the series by which nothing was calibrated, and how much larger than the error the "
-            "uncertainty was at the median. No test gave a radius to an entire or a divergent series. All of it is "
+            "uncertainty was at the median. The table values has sums of other random lists at a point, inside the "
+            "circle of convergence, beyond it and of divergent series, against closed forms. No test gave a radius to "
+            "an entire or a divergent series. All of it is "
             "heuristic: coefficients prove no radius.",
         .of = &pendulum_problem(),
         .parameters = {{"--energies", "0.01,0.5,1,1.5,1.71,1.9998,2.02,2.5,4,10",
@@ -258,7 +284,7 @@ const study& radius_tournament() {
         .seconds = 240,
         .excluded = no_answer_at_limits("theta is constant and every radius infinite", "T* is infinite"),
         .plan = of_pendulum::plan,
-        .version = 4,
+        .version = 5,
         .any_equation = equation_form{
             .plan = of_equation::plan,
             .title = "The radius tests",

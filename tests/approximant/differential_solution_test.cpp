@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "convergence/known_values.hpp"
+#include "../studies/population/known_values.hpp"
 #include "libration/scalar/precision_scope.hpp"
 
 namespace approximant_differential_solution_test {

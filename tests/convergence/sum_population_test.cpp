@@ -5,7 +5,7 @@
 #include <iostream>
 #include <map>
 
-#include "convergence/known_values.hpp"
+#include "../studies/population/known_values.hpp"
 #include "libration/convergence/sum.hpp"
 
 namespace convergence_sum_population_test {

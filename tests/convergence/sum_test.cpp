@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "convergence/known_values.hpp"
+#include "../studies/population/known_values.hpp"
 #include "libration/convergence/written_list.hpp"
 #include "libration/number/exact.hpp"
 #include "libration/scalar/decimal.hpp"

@@ -106,6 +106,40 @@ TEST_CASE("radius_tournament: uncertainties cover the errors of the half that di
     CHECK(seen);
 }
 
+TEST_CASE("radius_tournament judges each value of a series by its closed form", "[studies][radius_tournament]") {
+    const precision_scope scope(60);
+    std::map<std::string, int> values;
+    std::map<std::string, int> covered;
+    for (const table_row& row : played().at("values")) {
+        INFO(row.at("family") << " " << row.at("list") << " " << row.at("order"));
+        CHECK(row.at("value").empty() == row.at("covered").empty());
+        if (row.at("value").empty()) {
+            CHECK(!row.at("note").empty());
+            continue;
+        }
+        const mpfr exact = number(row.at("exact"));
+        const mpfr away = abs(number(row.at("value")) - exact);
+        const mpfr uncertainty = number(row.at("uncertainty"));
+        // 40 digits of each value and 6 of the uncertainty are printed.
+        const mpfr cut = abs(exact) / pow(mpfr(10), 39) + uncertainty / 100000;
+        if (abs(away - uncertainty) > cut) {
+            CHECK(row.at("covered") == (away < uncertainty ? "yes" : "no"));
+        }
+        for (const std::string& region : {row.at("region"), std::string("all")}) {
+            ++values[region + row.at("order")];
+            covered[region + row.at("order")] += row.at("covered") == "yes" ? 1 : 0;
+        }
+    }
+    CHECK(values["all20"] >= 40);
+    for (const table_row& row : played().at("value_coverage")) {
+        const std::string at = row.at("region") + row.at("order");
+        CHECK(row.at("values") == std::to_string(values[at]));
+        CHECK((row.at("covered").empty() ||
+               abs(number(row.at("covered")) - mpfr(covered[at]) / values[at]) < mpfr(1) / 1000));
+        CHECK((row.at("region") != "all" || number(row.at("covered")) >= mpfr(97) / 100));
+    }
+}
+
 TEST_CASE("radius_tournament refuses what has no radius", "[studies][radius_tournament]") {
     CHECK_THROWS_WITH(tables_of_study("radius_tournament", {{"--energies", "2"}, {"--orders", "20"}}),
                       Catch::Contains("energy 2"));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <random>
 #include <string>
 #include <utility>
@@ -293,10 +294,11 @@ inline known_sum two_points(value_draw& draw, int order) {
             mpfr(exp(mpfr(log(mpfr(1 - x / p)) * mu + log(mpfr(1 + x / q)) * nu)))};
 }
 
-/// The case of a seed, with N = 20, 30 or 40, in the working precision.
-inline known_sum known_value_of(unsigned seed) {
+/// The case of a seed, in the working precision; N = 20, 30 or 40 by the seed unless it is given.
+inline known_sum known_value_of(unsigned seed, std::optional<int> with_order = std::nullopt) {
     value_draw draw(seed);
-    const int order = 20 + 10 * draw.between(0, 2);
+    const int drawn_order = 20 + 10 * draw.between(0, 2);
+    const int order = with_order.value_or(drawn_order);
     switch (seed % 20) {
         case 0:
         case 1: return power_times_exponential(draw, order, "inside");
