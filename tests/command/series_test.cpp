@@ -103,6 +103,24 @@ TEST_CASE("decimals have no more digits than they determine, and --method verdic
     CHECK(rows[1].at("value").empty());  // beyond the pole at 3
 }
 
+TEST_CASE("series takes decimals as exact or as rounded if told so", "[command][series]") {
+    // (1 - t/2)^-1 at 1: 2. Its coefficients are decimals, exact ones.
+    std::string halves;
+    for (int n = 0; n < 25; ++n) {
+        halves += to_decimal(ldexp(mpfr(1), -n), 30) + "\n";
+    }
+    const auto value = [&](const words& how) {
+        return rows_about(halves, words{"--times", "1", "--method", "verdict", "--digits", "40"} + how).front();
+    };
+    const precision_scope scope(60);
+    const auto uncertainty = [](const table_row& row) { return mpfr(row.at("uncertainty")); };
+    CHECK(uncertainty(value({"--exact"})) < uncertainty(value({"--rounded", "8"})));
+    CHECK(uncertainty(value({"--rounded", "8"})) > mpfr(1) / pow(mpfr(10), 9));
+    CHECK(abs(mpfr(mpfr(value({"--rounded", "8"}).at("value")) - 2)) <= uncertainty(value({"--rounded", "8"})));
+    check_refused({"--coefficients", "list.csv", "--exact", "--rounded", "8"}, {"--exact", "--rounded 8"});
+    check_refused({"--coefficients", "list.csv", "--rounded", "none"}, {"--rounded", "none", "1 to 1000"});
+}
+
 TEST_CASE("an endpoint approximant reproduces the polynomial of degree N + m", "[command][series]") {
     // 1 + 2t - t^4 from a_0, a_1, a_2 and its value, first and second derivative at 3.
     const auto rows = rows_about("1\n2\n0\n", {"--method", "endpoint", "--endpoint", "3", "--endpoint-values",

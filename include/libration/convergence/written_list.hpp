@@ -1,6 +1,7 @@
 // A list as it is written in a file: its values, and how much the rounding of its decimals may change them.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "libration/convergence/list.hpp"
@@ -16,7 +17,8 @@ struct written_list {
 
 /// Whole numbers, fractions and formulas are exact. Decimals are rounded to half a unit of their last digit if there are
 /// fewer than 60: relatively to the digits that the middle one of them has, absolutely to the largest number of places
-/// behind the point that any of them has. In the working precision.
-written_list written_list_of(const std::vector<exact>& coefficients);
+/// behind the point that any of them has. With `rounded` they are correct to that many significant digits, or exact if it
+/// is 0. In the working precision.
+written_list written_list_of(const std::vector<exact>& coefficients, std::optional<long> rounded = std::nullopt);
 
 }  // namespace libration::convergence

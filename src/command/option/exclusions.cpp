@@ -173,6 +173,7 @@ const rules series_rules{
     {"--method", "--method=endpoint !--endpoint", "matches values at another point",
      "add --endpoint X and --endpoint-values f,f',..."},
     {"--reference", "!--times", "has nothing to be compared with", "add --times LIST"},
+    {"--exact", "--rounded", "contradicts --rounded {}", leave_one},
 };
 
 const rules study_rules{{"--fresh --shard", "!--out", "requires a directory for the journal", "add --out DIR"}};

@@ -28,6 +28,8 @@ struct list_request {
     std::optional<exact> end;    ///< the other end of endpoint approximants
     std::vector<exact> at_end;   ///< f, f', f'', ... there
     reference_values reference;  ///< empty, or one a time
+    /// Significant digits of the decimals, 0 if they are exact; as they are written unless given.
+    std::optional<long> rounded = std::nullopt;
 
     int order() const { return static_cast<int>(coefficients.size()) - 1; }
 };

@@ -209,7 +209,7 @@ table_row_cells verdict_row(const list_request& request, std::size_t i, const se
 
 void add_verdicts(const list_request& request, table& data) {
     const precision_scope scope(std::max(digits_of_list(request.order()), request.digits + 20));
-    const written_list written = written_list_of(request.coefficients);
+    const written_list written = written_list_of(request.coefficients, request.rounded);
     std::vector<mpfr> points;
     for (const exact& time : request.times) {
         points.push_back(from_exact<mpfr>(time));
@@ -290,7 +290,7 @@ table list_ratios(const list_request& request) {
 
 table list_radius(const list_request& request) {
     const precision_scope scope(request.digits + radius_guard_digits);
-    const listed_series list{scaled_list(request, request.order(), mpfr(1)), request.coefficients};
+    const listed_series list{scaled_list(request, request.order(), mpfr(1)), request.coefficients, request.rounded};
     return tests_of(radius_answer({{"", {{list}, 1}}}, std::nullopt,
                                   {.scalar = {scalar_kind::arbitrary, request.digits}, .digits = request.digits}));
 }

@@ -10,6 +10,7 @@
 #include "libration/number/grid.hpp"
 #include "libration/problem/radius_answer.hpp"
 #include "option/options.hpp"
+#include "option/rounding_option.hpp"
 #include "option/subcommand.hpp"
 #include "plot/coefficient_plot.hpp"
 #include "plot/plot_options.hpp"
@@ -39,20 +40,10 @@ struct radius_options {
     point_options point;
     std::optional<std::string> order;
     std::optional<std::string> file;
-    std::optional<std::string> predict, biased, rounded;
-    bool prove = false, check = false, audit = false, exact = false;
+    std::optional<std::string> predict, biased;
+    rounding_option rounding;
+    bool prove = false, check = false, audit = false;
 };
-
-// How the decimals of the list are to be read; std::nullopt if that follows from their digits.
-std::optional<long> rounding_by(const radius_options& options) {
-    if (options.exact) {
-        return 0;
-    }
-    return !options.rounded ? std::nullopt
-                            : std::optional<long>(reading("--rounded", *options.rounded,
-                                                          "write the number of correct digits, 1 to 1000",
-                                                          [&] { return read_count(*options.rounded, 1000); }));
-}
 
 convergence::listed_series listed_part(const radius_options& options, const arithmetic& numbers,
                                        std::vector<exact> written) {
@@ -73,7 +64,7 @@ convergence::listed_series listed_part(const radius_options& options, const arit
         values.push_back(from_exact<mpfr>(number));
     }
     convergence::listed_series list{series::power_series<mpfr>(std::move(values)), std::move(written)};
-    list.rounded = rounding_by(options);
+    list.rounded = options.rounding.digits();
     return list;
 }
 
@@ -201,7 +192,7 @@ int prove_radius(const radius_options& options) {
 convergence::series_list list_to_audit(const radius_options& options) {
     const auto order =
         options.order ? std::optional(static_cast<std::size_t>(order_of("--order", *options.order))) : std::nullopt;
-    return real_list_in(*options.file, rounding_by(options), order);
+    return real_list_in(*options.file, options.rounding.digits(), order);
 }
 
 // The coefficient that the others contradict.
@@ -263,13 +254,7 @@ subcommand radius_command(CLI::App& program) {
     options->plot.add_to(*command, "ratios, roots and Pade poles of the coefficients");
     command->add_option("--order", options->order, "last power N (default for a file: all of its coefficients)")
         ->type_name("N");
-    command->add_flag("--exact", options->exact, "take the decimals of --coefficients as exact numbers");
-    command
-        ->add_option(
-            "--rounded", options->rounded,
-            "take the decimals of --coefficients as rounded to D significant digits (default: rounded if all have "
-            "the same number of digits, 17 or more; exact otherwise)")
-        ->type_name("D");
+    options->rounding.add_to(*command, "rounded if all have the same number of digits, 17 or more; exact otherwise");
     command->add_option("--biased", options->biased, "also the exponent if the singularity is known to be at X")
         ->type_name("X");
     command->add_flag("--audit", options->audit,

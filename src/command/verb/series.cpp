@@ -1,11 +1,13 @@
 // libration series: evaluates the function defined by a list of coefficients: the value with an uncertainty by the methods
-// that agree, values by partial sums, Pade and endpoint approximants, errors against a reference, poles and zeros, and the plots of its ratios and roots.
+// that agree, values by partial sums, Pade and endpoint approximants, errors against a reference, poles and zeros, and the
+// plots of its ratios and roots.
 #include <fmt/format.h>
 
 #include <filesystem>
 #include <memory>
 
 #include "option/options.hpp"
+#include "option/rounding_option.hpp"
 #include "option/subcommand.hpp"
 #include "problem/list_tables.hpp"
 #include "run/working_folder.hpp"
@@ -21,6 +23,7 @@ namespace {
 
 struct series_options {
     list_words list;
+    rounding_option rounding;
     std::optional<std::string> digits, out;
     std::string format = defaults::format;
 };
@@ -51,7 +54,8 @@ int run_series(const series_options& options) {
     if (options.format != "text" && options.format != "csv" && options.format != "json" && options.format != "latex") {
         throw input_error("--format", options.format, "is not a format", "write text, csv, json or latex");
     }
-    const list_request request = list_request_of(options.list, digits);
+    list_request request = list_request_of(options.list, digits);
+    request.rounded = options.rounding.digits();
     const bool evaluated = !request.times.empty();
     const table values = evaluated ? list_values(request) : table(std::vector<column>{{"time", ""}});
     if (options.out) {
@@ -72,6 +76,7 @@ subcommand series_command(CLI::App& program) {
         ->type_name("FILE")
         ->required();
     command->add_option("--order", list.order, "last power N; all that the list has unless given")->type_name("N");
+    options->rounding.add_to(*command, "rounded if they have fewer than 60 digits");
     command
         ->add_option("--times,--time", list.times,
                      "where to evaluate it: 0,1/2,1 or a range 0:1:11; without it the poles and zeros are printed")

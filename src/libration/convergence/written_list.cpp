@@ -29,7 +29,7 @@ mpfr power_of_ten(long exponent) { return pow(mpfr(10), static_cast<int>(exponen
 
 }  // namespace
 
-written_list written_list_of(const std::vector<exact>& coefficients) {
+written_list written_list_of(const std::vector<exact>& coefficients, std::optional<long> rounded) {
     written_list written;
     std::vector<long> digits;
     std::vector<long> places;
@@ -40,21 +40,21 @@ written_list written_list_of(const std::vector<exact>& coefficients) {
             places.push_back(places_of(each));
         }
     }
-    if (digits.empty()) {
+    if (digits.empty() || rounded == 0) {
         return written;
     }
     const auto middle = digits.begin() + static_cast<std::ptrdiff_t>(digits.size() / 2);
     std::nth_element(digits.begin(), middle, digits.end());
-    if (*middle >= exact_from) {
+    if (!rounded && *middle >= exact_from) {
         return written;
     }
-    const mpfr relative = power_of_ten(1 - *middle) / 2;
-    const mpfr absolute = power_of_ten(-*std::max_element(places.begin(), places.end())) / 2;
+    const mpfr relative = power_of_ten(1 - rounded.value_or(*middle)) / 2;
+    const mpfr absolute = rounded ? mpfr(0) : mpfr(power_of_ten(-*std::max_element(places.begin(), places.end())) / 2);
     written.list.noise = relative.convert_to<double>();
     written.list.zero = written.list.noise;
     for (std::size_t n = 0; n < coefficients.size(); ++n) {
-        const bool rounded = decimals_of(coefficients[n]) > 0;
-        written.rounding.push_back(rounded ? mpfr(abs(written.list.values[n]) * relative + absolute) : mpfr(0));
+        const bool decimal = decimals_of(coefficients[n]) > 0;
+        written.rounding.push_back(decimal ? mpfr(abs(written.list.values[n]) * relative + absolute) : mpfr(0));
     }
     return written;
 }
