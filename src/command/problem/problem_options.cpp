@@ -17,6 +17,7 @@
 #include "libration/problem/catalogue.hpp"
 #include "libration/scalar/near_word.hpp"
 #include "run/stream_content.hpp"
+#include "text/csv_records.hpp"
 #include "text/input_error.hpp"
 #include "text/quotation.hpp"
 
@@ -148,12 +149,6 @@ bool is_list(std::string_view values) {
                depth += c == '(' || c == '[' ? 1 : c == ')' || c == ']' ? -1 : 0;
                return depth == 0 && (c == ',' || c == ':');
            });
-}
-
-std::string trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(' ');
-    const auto last = text.find_last_not_of(' ');
-    return first == std::string_view::npos ? "" : std::string(text.substr(first, last + 1 - first));
 }
 
 }  // namespace
