@@ -28,9 +28,7 @@ const std::map<std::string, std::vector<table_row>>& played() {
     return rows;
 }
 
-}  // namespace
-
-TEST_CASE("radius_tournament judges each answer by the printed radii", "[studies][radius_tournament]") {
+void check_radii() {
     const precision_scope scope(40);
     std::size_t judged = 0;
     for (const table_row& row : played().at("")) {
@@ -54,7 +52,7 @@ TEST_CASE("radius_tournament judges each answer by the printed radii", "[studies
     CHECK(judged > 500);
 }
 
-TEST_CASE("radius_tournament knows its answers", "[studies][radius_tournament]") {
+void check_known_answers() {
     const std::map<std::string, std::string> exact{
         {"log(1-t)", "1.0000000000000000"},
         {"tan t", "1.5707963267948966"},
@@ -75,7 +73,7 @@ TEST_CASE("radius_tournament knows its answers", "[studies][radius_tournament]")
     CHECK(seen.size() == exact.size());
 }
 
-TEST_CASE("radius_tournament ranks by digits and counts no radius for what has none", "[studies][radius_tournament]") {
+void check_ranking() {
     const precision_scope scope(40);
     mpfr before(100);
     int rank = 0;
@@ -92,8 +90,7 @@ TEST_CASE("radius_tournament ranks by digits and counts no radius for what has n
     }
 }
 
-TEST_CASE("radius_tournament: uncertainties cover the errors of the half that did not calibrate them",
-          "[studies][radius_tournament]") {
+void check_coverage() {
     const precision_scope scope(40);
     bool seen = false;
     for (const table_row& row : played().at("coverage")) {
@@ -106,7 +103,7 @@ TEST_CASE("radius_tournament: uncertainties cover the errors of the half that di
     CHECK(seen);
 }
 
-TEST_CASE("radius_tournament judges each value of a series by its closed form", "[studies][radius_tournament]") {
+void check_values() {
     const precision_scope scope(60);
     std::map<std::string, int> values;
     std::map<std::string, int> covered;
@@ -138,6 +135,17 @@ TEST_CASE("radius_tournament judges each value of a series by its closed form", 
                abs(number(row.at("covered")) - mpfr(covered[at]) / values[at]) < mpfr(1) / 1000));
         CHECK((row.at("region") != "all" || number(row.at("covered")) >= mpfr(97) / 100));
     }
+}
+
+}  // namespace
+
+// One test case, so that the studies are run once.
+TEST_CASE("radius_tournament judges answers and values, and ranks the tests", "[studies][radius_tournament]") {
+    check_radii();
+    check_known_answers();
+    check_ranking();
+    check_coverage();
+    check_values();
 }
 
 TEST_CASE("radius_tournament refuses what has no radius", "[studies][radius_tournament]") {
