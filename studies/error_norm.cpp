@@ -256,15 +256,19 @@ norm_row row_of(const question& asked, const proved_norm& found) {
 
 table rows_at(const question& asked, std::size_t i, const std::vector<int>& orders) {
     const auto system = asked.sweep->system(i);
-    const asked_norms norms{system,
-                            asked.times,
-                            asked.sweep->unknowns(),
-                            {approximation::series, approximation::pade, approximation::endpoint}};
+    const bool proved = asked.scalar.kind == scalar_kind::proved;
+    asked_norms norms{system,
+                      asked.times,
+                      asked.sweep->unknowns(),
+                      {approximation::series, approximation::pade, approximation::endpoint}};
+    if (!proved) {  // their scale is the radius of a heuristic verdict
+        norms.methods.insert(norms.methods.end(), {approximation::euler, approximation::gauge});
+    }
     std::vector<norm_row> rows;
     const auto add = [&](const auto& all) {
         std::ranges::transform(all, std::back_inserter(rows), [&](const auto& each) { return row_of(asked, each); });
     };
-    if (asked.scalar.kind == scalar_kind::proved) {
+    if (proved) {
         add(proved_norms(norms, orders, asked.scalar.digits));
     } else {
         add(norms_of(norms, orders, asked.scalar));
@@ -332,8 +336,11 @@ const study& error_norm() {
                 "How large is the error of the series about the start, and of what is made of it, on an interval?",
             .reading =
                 "The largest error at the times over the order N of the list: of the partial sum, of the Pade "
-                "approximant of the same coefficients, and of the endpoint approximant, which also has the value and "
-                "the slope of the solution at the far end. Behind the marks the line of the rate reach/R with the "
+                "approximant of the same coefficients, of the endpoint approximant, which also has the value and the "
+                "slope "
+                "of the solution at the far end, and of the series in Euler's variable s/(s + R) and in the gauge "
+                "function 1 - exp(-s/R), s the distance from the start and R the radius that the coefficients show. "
+                "Behind the marks the line of the rate reach/R with the "
                 "radius that the coefficients show. The solution is marched by Taylor series in two precisions; with "
                 "--scalar ball:D it is enclosed, and the norms of series and approximants are proved.",
             .parameters = {required_times("the interval, as times at which the error is taken"),

@@ -12,15 +12,17 @@ if (equation ne '') {
     title_text = 'Error of the series of '.called.' and of its approximants'
     below_text = 'the largest error at times up to '.tidy(reach).' from the start, '.in_arithmetic(scalar)
     kind_by = 'method'; kinds = 'series pade endpoint'
-    kind_name(m) = approximation_name(m).(m eq 'pade' ? ' [N/2, N/2]' : '')
-    hue(h, k) = cases < 2 ? shade[word('4 5 3', k) + 0] : tone(h)
+    eval count_of('mapped', main, "is('method', 'euler') && has('log10_norm')")
+    if (mapped > 0) { kinds = kinds.' euler gauge' }
+    kind_name(m) = m eq 'pade' ? 'Padé [N/2, N/2]' : m eq 'euler' ? "Euler's variable" : m eq 'gauge' ? 'gauge function' : approximation_name(m)
+    hue(h, k) = cases < 2 ? shade[word('4 5 3 2 6', k) + 0] : tone(h)
     prepare = "y_name = 'log_{10} (max |error| / unit of '.this.')'"
     x = 'order'; x_name = 'order N'; y_together = 'log10_norm'
     layers = rate_lines(radii, 'lw 1 dt 3 lc rgb hue(h, 1)') \
         .', '.curves('log10_norm', '1', 'linespoints lw 1.8 dt k pt mark[k] ps 0.7 lc rgb hue(h, k)')
     key = key_of_kinds('linespoints lw 1.8 dt k pt mark[k] ps 0.7 lc rgb cases < 2 ? hue(1, k) : soft') \
         .', '.key_entry('lines lw 1 dt 3 lc rgb soft', "'rate (reach/R)^N'").', '.key_of_cases('lines lw 2.4 lc rgb tone(h)')
-    entries = shown_in_key(cases) + 4; letters = cases < 2 ? 14 : 20
+    entries = shown_in_key(cases) + words(kinds) + 1; letters = cases < 2 ? 16 : 20
     load scripts.'/shared/panels.gp'
     exit
 }

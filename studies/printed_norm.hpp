@@ -32,7 +32,8 @@ inline const column_list<norm_row>& columns() {
         {"order", "N, last power of the series about the start", [](const row& r) { return r.order; }},
         {"method",
          "series | pade: [m/m] with 2 m <= N, without the powers that a symmetry leaves out | endpoint: with value and "
-         "slope of the far end of the times",
+         "slope of the far end of the times | euler: in s/(s + R), or in that of the powers that a symmetry leaves | "
+         "gauge: in 1 - exp(-s/R), s from the start, R the radius that the coefficients show; not proved",
          [](const row& r) { return r.method; }},
         {"norm",
          "max of |approximation - solution| over the times, in the unit of the unknown; empty where that is not "

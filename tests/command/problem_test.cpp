@@ -501,7 +501,32 @@ TEST_CASE("trajectories tell of approximants, and of invariants", "[command][pro
                   {"ball:20", "taylor"});
     check_refused({"trajectory", "--problem", "lorenz", "--method", "endpoint", "--order", "9", "--times=-1,1"},
                   {"endpoint", "one side"});
+    check_refused({"trajectory", "--problem", "lorenz", "--method", "euler", "--order", "9", "--times=-1,1"},
+                  {"euler", "one side"});
+    check_refused(
+        {"trajectory", "--problem", "lorenz", "--method", "pade", "--order", "9", "--times", "1", "--scale", "1"},
+        {"--scale", "pade"});
+    check_refused({"trajectory", "--problem", "y' = y; y(0) = 1", "--method", "gauge", "--order", "9", "--times", "1"},
+                  {"gauge", "--scale"});
     // Kepler's energy and angular momentum.
+    // log(1 + t) is -log(1 - w) in Euler's variable w = t/(1 + t), and e^-t is 1 - z in the gauge function z.
+    const auto mapped = [](const std::string& problem, const char* method, const char* order) {
+        return rows_of({"trajectory", "--problem", problem, "--method", method, "--order", order, "--scale", "1",
+                        "--times", "1/2,3", "--digits", "20"});
+    };
+    const precision_scope scope(40);
+    for (const auto& row : mapped("y' = 1/(1 + t); y(0) = 0", "euler", "12")) {
+        const mpfr t = from_exact<mpfr>(read_exact(row.at("time_typed")));
+        mpfr sum(0);
+        for (int n = 12; n > 0; --n) {
+            sum = (sum + mpfr(1) / n) * t / (1 + t);
+        }
+        CHECK(abs(mpfr(mpfr(row.at("y")) - sum)) < mpfr("1e-19"));
+    }
+    for (const auto& row : mapped("y' = -y; y(0) = 1", "gauge", "3")) {
+        CHECK(abs(mpfr(mpfr(row.at("y")) - exp(mpfr(-from_exact<mpfr>(read_exact(row.at("time_typed"))))))) <
+              mpfr("1e-19"));
+    }
     const auto planet =
         rows_of({"trajectory", "--problem", "kepler", "--general", "--times", "1,10", "--digits", "20"});
     CHECK(std::stod(planet[1].at("invariant_drift")) < 1e-30);

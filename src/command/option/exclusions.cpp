@@ -95,9 +95,9 @@ const rules trajectory_rules{
     {"--integrator", "!--problem", without_problem},
     {"--via", "!--problem", "is a path in the complex t-plane of a --problem",
      "leave it out, or give the motion as --problem \"x'' = -sin(x); x(0) = 2; x'(0) = 0\""},
-    {"--integrator", "--method=series|pade|endpoint|asymptotic", "has no meaning for --method {}"},
-    {"--method", "--method=series|pade|endpoint|asymptotic --problem --via|complex", "is limited to real times",
-     "leave --method out for complex ones"},
+    {"--integrator", "--method=series|pade|endpoint|euler|gauge|asymptotic", "has no meaning for --method {}"},
+    {"--method", "--method=series|pade|endpoint|euler|gauge|asymptotic --problem --via|complex",
+     "is limited to real times", "leave --method out for complex ones"},
 };
 
 // Of a command with an expansion point.

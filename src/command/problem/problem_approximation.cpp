@@ -31,10 +31,14 @@ struct compared_values {
 };
 
 list_approximation method_named(const std::string& name) {
-    return name == "series" ? list_approximation::series
-           : name == "pade" ? list_approximation::pade
-                            : list_approximation::endpoint;
+    return name == "series"  ? list_approximation::series
+           : name == "pade"  ? list_approximation::pade
+           : name == "euler" ? list_approximation::euler
+           : name == "gauge" ? list_approximation::gauge
+                             : list_approximation::endpoint;
 }
+
+bool is_one_sided(const std::string& method) { return method == "endpoint" || has_scale(method_named(method)); }
 
 // In the arithmetic of T; the solution in the current precision.
 template <rounding_scalar T>
@@ -47,7 +51,8 @@ compared_values by_list(const ode::explicit_system& system, const chosen_approxi
     std::vector<T> x;
     for (int i = 0; i < static_cast<int>(system.unknowns().size()); ++i) {
         const approximants_of_unknown<T> own(list, truth, i);
-        functions.push_back(own.of(method_named(by.method), by.order));
+        const auto scale = by.scale ? std::optional(from_exact<mpfr>(*by.scale)) : std::nullopt;
+        functions.push_back(own.of(method_named(by.method), by.order, scale));
         result.unknowns.push_back(system.unknowns()[static_cast<std::size_t>(i)].name);
         result.there.push_back(functions.back().has_value());
         if (x.empty()) {
@@ -55,6 +60,12 @@ compared_values by_list(const ode::explicit_system& system, const chosen_approxi
                 x.push_back(own.coordinate(t));
             }
         }
+    }
+    if (has_scale(method_named(by.method)) && std::ranges::find(result.there, true) == result.there.end()) {
+        throw input_error(
+            "--method", by.method,
+            fmt::format("needs a length, and the coefficients up to N = {} show no radius of convergence", by.order),
+            "add --scale C, or take more coefficients");
     }
     for (std::size_t k = 0; k < times.size(); ++k) {
         for (std::size_t i = 0; i < functions.size(); ++i) {
@@ -121,7 +132,8 @@ void require_known_far_behaviour(const problem_options& problem) {
 }
 
 // Checked before the integration.
-void require_one_side(const ode::explicit_system& system, const std::vector<ode::number>& times) {
+void require_one_side(const ode::explicit_system& system, const std::vector<ode::number>& times,
+                      const std::string& method) {
     const precision_scope scope(digits_of_judge);
     bool before = false;
     bool after = false;
@@ -131,7 +143,7 @@ void require_one_side(const ode::explicit_system& system, const std::vector<ode:
         after = after || distance > 0;
     }
     if (before == after) {
-        throw input_error("--method", "endpoint", "needs times on one side of the initial point, not only that point",
+        throw input_error("--method", method, "needs times on one side of the initial point, not only that point",
                           "choose such times");
     }
 }
@@ -245,8 +257,8 @@ table problem_approximation(const problem_options& problem, const chosen_approxi
                           fmt::format("use mpfr:{}, or --method taylor", numbers.scalar.digits));
     }
     const auto at = constants_of(times);
-    if (by.method == "endpoint") {
-        require_one_side(problem.choose(), at);
+    if (is_one_sided(by.method)) {
+        require_one_side(problem.choose(), at, by.method);
     }
     try {
         const auto found = compare_with_solution(problem, by, at, numbers);

@@ -43,20 +43,23 @@ table problem_trajectory_along(const solution& of, const std::vector<ode::comple
 
 /// How a trajectory of a problem is computed from the coefficients about its initial point.
 struct chosen_approximation {
-    std::string method;  ///< series, pade, endpoint, asymptotic or rk4
+    std::string method;  ///< series, pade, endpoint, euler, gauge, asymptotic or rk4
     int order;           ///< N, last power; without meaning for rk4
     exact step = {};     ///< of rk4
+    /// Of euler and gauge; the radius of convergence by the verdict on each unknown's coefficients unless given.
+    std::optional<exact> scale = std::nullopt;
 };
 
 /// time,<unknown>...,digits,rigour,time_typed,<unknown>_error...: the approximations of the unknowns from the
 /// coefficients a_0 .. a_N about the initial point, and their distance from the solution, which is integrated
 /// (problem_trajectory). `series` is the partial sum, `pade` the diagonal approximant in the powers that do not vanish
-/// by symmetry, `endpoint` also matches value and slope of the solution at the farthest time, `asymptotic` the
-/// asymptotic behaviour of a problem of the catalogue if it is known, and that unknown alone. In mpfr the values are
+/// by symmetry, `endpoint` also matches value and slope of the solution at the farthest time, `euler` is the partial sum
+/// in s/(s + scale), s = t - t0, or in the same function of the powers that do not vanish by symmetry, `gauge` the one in
+/// 1 - exp(-s/scale), `asymptotic` has the asymptotic behaviour of a problem of the catalogue if it is known, and that unknown alone. In mpfr the values are
 /// correct to one unit in their last digit (two-method); an error has the digits that the values support, and is empty
 /// if they support none, a value if there is no such approximant. Throws input_error for balls, for asymptotic
-/// approximants of other problems or in a fixed scalar, for endpoint with times on both sides of the initial point, and
-/// for times that are not reached.
+/// approximants of other problems or in a fixed scalar, for endpoint, euler and gauge with times on both sides of the
+/// initial point, without a scale that the coefficients show, and for times that are not reached.
 table problem_approximation(const problem_options& problem, const chosen_approximation& by,
                             const std::vector<exact>& times, const arithmetic& numbers);
 

@@ -39,6 +39,7 @@ struct trajectory_options {
     std::string times;
     std::optional<std::string> via;
     std::optional<std::string> step;
+    std::optional<std::string> scale;
     std::optional<std::string> jobs;
 };
 
@@ -47,6 +48,7 @@ struct method_form {
     std::string name;
     bool by_order = false;
     bool by_step = false;
+    bool by_scale = false;
 };
 
 // In the order of trajectory_method.
@@ -59,6 +61,8 @@ const std::vector<method_form> methods_of_problem{{"taylor"},
                                                   {.name = "series", .by_order = true},
                                                   {.name = "pade", .by_order = true},
                                                   {.name = "endpoint", .by_order = true},
+                                                  {.name = "euler", .by_order = true, .by_scale = true},
+                                                  {.name = "gauge", .by_order = true, .by_scale = true},
                                                   {.name = "asymptotic", .by_order = true},
                                                   {.name = "rk4", .by_step = true}};
 
@@ -76,8 +80,9 @@ std::vector<method_form>::const_iterator method_among(const std::vector<method_f
     if (found->by_order && !options.order) {
         throw input_error("--method", name, "is computed from coefficients", "add --order N, the last power");
     }
-    for (const auto& [option, value, fits] :
-         {std::tuple("--order", &options.order, found->by_order), {"--step", &options.step, found->by_step}}) {
+    for (const auto& [option, value, fits] : {std::tuple("--order", &options.order, found->by_order),
+                                              {"--step", &options.step, found->by_step},
+                                              {"--scale", &options.scale, found->by_scale}}) {
         if (*value && !fits) {
             throw input_error(option, **value, "has no meaning for --method " + name, "leave it out");
         }
@@ -134,13 +139,16 @@ partial_table trajectory_of_motion(const trajectory_options& options) {
 
 // Instead of a motion, any problem.
 partial_table trajectory_of_problem(const trajectory_options& options) {
-    const auto& [method, approximated, by_step] = *method_among(methods_of_problem, options);
+    const auto& [method, approximated, by_step, by_scale] = *method_among(methods_of_problem, options);
     const arithmetic numbers = options.arithmetic.choose();
     options.integrator.choice();
     if (approximated || by_step) {
         const int order = approximated ? order_of("--order", *options.order) : 0;
         const exact step = positive_number_of("--step", options.step.value_or(defaults::step));
-        return {problem_approximation(options.problem, {method, order, step}, times_of_problem(options.times), numbers),
+        const auto scale =
+            by_scale && options.scale ? std::optional(positive_number_of("--scale", *options.scale)) : std::nullopt;
+        return {problem_approximation(options.problem, {method, order, step, scale}, times_of_problem(options.times),
+                                      numbers),
                 {},
                 {},
                 {}};
@@ -228,7 +236,7 @@ subcommand trajectory_command(CLI::App& program) {
     command
         ->add_option("--method", options->method,
                      "exact (the default); series, resummed or uniform, with --order; rk4; of a problem taylor (the "
-                     "default); series, pade, endpoint or asymptotic, with --order; rk4")
+                     "default); series, pade, endpoint, euler, gauge or asymptotic, with --order; rk4")
         ->type_name("METHOD");
     command->add_option("--order", options->order, "last power N of series or uniform, last index of the resummation")
         ->type_name("N");
@@ -245,6 +253,11 @@ subcommand trajectory_command(CLI::App& program) {
                      fmt::format("step of rk4 in dimensionless time, or in the variable of a problem (default {})",
                                  defaults::step))
         ->type_name("H");
+    command
+        ->add_option("--scale", options->scale,
+                     "C of the variables t/(t + C) of euler and 1 - exp(-t/C) of gauge (default: the radius of "
+                     "convergence that the coefficients show)")
+        ->type_name("C");
     command->add_option("--jobs", options->jobs, "number of threads (default: all cores)")->type_name("J");
     return {command, [options] { return run_trajectory(*options); },
             [options](std::string_view /*complex*/) { return has_imaginary_unit(options->times); }};

@@ -21,25 +21,6 @@ std::vector<mpfr> in_unit(std::span<const mpfr> a, const mpfr& unit) {
 
 }  // namespace
 
-std::vector<mpfr> in_euler_variable(std::span<const mpfr> a, const mpfr& R) {
-    std::vector<mpfr> c = in_unit(a, R);
-    // Row m of the binomials from row m - 1: sums of neighbours, as in Pascal's triangle.
-    const std::vector<mpfr> b = c;
-    std::vector<integer> row{1};
-    for (std::size_t m = 1; m < c.size(); ++m) {
-        mpfr sum(0);
-        for (std::size_t n = 1; n <= m; ++n) {
-            add_product(sum, b[n], mpfr(row[n - 1]));
-        }
-        c[m] = sum;
-        row.emplace_back(1);
-        for (std::size_t j = row.size() - 2; j > 0; --j) {
-            row[j] += row[j - 1];
-        }
-    }
-    return c;
-}
-
 std::vector<mpfr> in_cut_variable(std::span<const mpfr> a, const mpfr& R) {
     const std::vector<mpfr> b = in_unit(a, mpfr(R * 4));
     std::vector<mpfr> c(b.size(), mpfr(0));
@@ -56,8 +37,6 @@ std::vector<mpfr> in_cut_variable(std::span<const mpfr> a, const mpfr& R) {
     }
     return c;
 }
-
-mpfr euler_variable(const mpfr& x, const mpfr& R) { return x / (x + R); }
 
 mpfr cut_variable(const mpfr& x, const mpfr& R) {
     const mpfr root = sqrt(mpfr(x / R + 1));

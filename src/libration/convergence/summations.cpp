@@ -102,7 +102,7 @@ summations::summations(std::vector<mpfr> a, sum_shape shape, std::vector<mpfr> p
             borel_.push_back(std::move(list));
         }
     } else if (shape_.real) {
-        in_euler_ = in_euler_variable(a_, mpfr(-*shape_.real));
+        in_euler_ = in_euler_variable(series::power_series<mpfr>(a_), mpfr(-*shape_.real)).coefficients();
         in_cut_ = in_cut_variable(a_, mpfr(-*shape_.real));
     }
 }
