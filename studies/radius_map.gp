@@ -25,7 +25,9 @@ if (equation ne '') {
         eval other_axes('order', 'N')
         rows_down = 2; height = 380
         x = along; x_name = along_name; x_axis = "eval rising('x', x_low, x_high); eval quarters('x', x_low, x_high)"
-        prepare = "set offsets; if (row == 1) { y_name = 'radius R / unit of the variable'; y_axis = 'set yrange [0:*]'; layers = radius } else { y_name = 'log_{10} (uncertainty/R)'; panel_title = this.': how certain'; y_axis = ''; layers = certainty }"
+        # From 0 on, unless the radii differ by less than a fifth of themselves.
+        axis_of(low, high) = high > low && high - low < 0.2 * high ? sprintf('set yrange [%.12g:%.12g]', low - 0.1 * (high - low), high + 0.1 * (high - low)) : 'set yrange [0:*]'
+        prepare = "set offsets; if (row == 1) { y_name = 'radius R'; eval extent('r', main, 'radius', of_panel(\"has('radius')\")); y_axis = axis_of(r_low, r_high); layers = radius } else { y_name = 'log_{10} (uncertainty/R)'; panel_title = this.': how certain'; y_axis = ''; layers = certainty }"
         radius = by_hue('radius', '1', 'linespoints lw 1.5 pt mark_of(h) ps 0.7 lc rgb tone(h)')
         certainty = by_hue('log10_relative_uncertainty', '1', 'linespoints lw 1.5 pt mark_of(h) ps 0.7 lc rgb tone(h)')
         key = key_of_hues('linespoints lw 1.5 pt mark_of(h) ps 0.7 lc rgb tone(h)')

@@ -119,6 +119,8 @@ abbreviations = 'pollu=POLLU hires=HIRES seir=SEIR sir=SIR japan=Japan detest_a=
 as_written(name, pair) = swapped(name, pair[1:strstrt(pair, '=') - 1], pair[strstrt(pair, '=') + 1:*])
 as_listed(name, list) = (name_ = name, sum [i_=1:words(list)] (name_ = as_written(name_, word(list, i_)), 0), name_)
 problem_name(p) = swapped(as_listed(p, pairs.' '.persons.' '.abbreviations), '_', ' ')
+# A text is shown as it is.
+heading_of(p) = strstrt(p, '=') || strstrt(p, ' ') ? p : problem_name(p)
 
 # --- a figure of panels: `across` by `down`, each panel_w by panel_h, with a heading above and the key below them.
 head = 62

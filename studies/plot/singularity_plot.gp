@@ -12,7 +12,7 @@ eval extent('far', table, 'modulus', '1')
 edge = 1.15 * larger(far_high, 1e-300)
 eval count_of('proved', table, "is('rigour', 'proved')")
 eval count_of('open', table, "!is('rigour', 'proved')")
-title_text = problem eq 'typed' ? 'Singularities of the given equation' : 'Singularities of '.problem_name(problem)
+title_text = problem eq 'typed' ? 'Singularities of the given equation' : 'Singularities of '.heading_of(problem)
 below_text = proved ? (open ? 'solid: position proved; hollow: heuristic' : 'positions proved') : 'heuristic'
 width = 640; height = 560
 x = 'position_re'; x_name = 'Re t'; y_name = 'Im t'

@@ -6,7 +6,7 @@ x_text = x_name
 load scripts.'/style.gp'
 table = data.'/points.csv'
 events = data.'/marks.csv'
-title_text = problem eq 'typed' ? 'Solution of the given equation' : problem_name(problem)
+title_text = problem eq 'typed' ? 'Solution of the given equation' : heading_of(problem)
 single = words(solutions) == 1
 panel_by = single ? '' : 'quantity'; most_panels = 60; most_across = 1
 hue_by = single ? 'quantity' : 'solution'

@@ -104,6 +104,17 @@ std::string text_in_figure(const std::string& text) {
     return plain;
 }
 
+std::string heading_in_figure(const std::string& heading) {
+    if (heading.find_first_of("= ") == std::string::npos) {
+        return heading;
+    }
+    std::string text;
+    for (const char c : text_in_figure(heading)) {
+        text += c == '\'' ? "\u2032" : std::string(1, c);
+    }
+    return text;
+}
+
 std::string name_in_figure(const std::string& name) {
     const auto is_letter = [](unsigned char c) { return std::isalnum(c) != 0; };
     std::string text;

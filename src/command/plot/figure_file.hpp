@@ -45,4 +45,7 @@ std::string text_in_figure(const std::string& text);
 /// A name of an equation as text of a figure: theta as its Greek letter, x_12 with a subscript, primes as they are.
 std::string name_in_figure(const std::string& name);
 
+/// The heading of a problem (problem_options::heading) for a script: escaped if it is a text, else the name.
+std::string heading_in_figure(const std::string& heading);
+
 }  // namespace libration

@@ -18,7 +18,7 @@ figure_content singularity_plot(const table& found, const std::string& initial_p
     }
     return {"singularity_plot",
             {{"positions.csv", to_csv(found.with_columns(places))}},
-            {{"problem", problem}, {"initial_point", initial_point}}};
+            {{"problem", heading_in_figure(problem)}, {"initial_point", initial_point}}};
 }
 
 }  // namespace libration

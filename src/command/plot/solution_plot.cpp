@@ -50,7 +50,7 @@ figure_content solution_plot(const std::vector<drawn_solution>& family, const pl
     quantities.erase(quantities.begin());
     return {"solution_plot",
             {{"points.csv", to_csv(points)}, {"marks.csv", to_csv(marked)}},
-            {{"problem", problem},
+            {{"problem", heading_in_figure(problem)},
              {"x_name", x_name},
              {"quantities", words_for_script(quantities)},
              {"solutions", words_for_script(solutions)},
@@ -95,7 +95,7 @@ figure_content event_plot(const problem_options& problem, const table& events, c
     }
     const auto curve = problem_trajectory(*problem.general_solution(), times,
                                           {{scalar_kind::arbitrary, figure_digits}, figure_digits});
-    return solution_plot({{"", curve.rows}}, axes, drawn_marks{text_in_figure(condition), events}, problem.name());
+    return solution_plot({{"", curve.rows}}, axes, drawn_marks{text_in_figure(condition), events}, problem.heading());
 }
 
 }  // namespace libration

@@ -123,6 +123,18 @@ void problem_options::add_to(CLI::App& command, closed_forms known, set_values s
     }
 }
 
+std::string problem_options::heading() const {
+    constexpr std::size_t longest = 72;
+    const problem_source of = problem_named(*problem_);
+    std::string line = of.text.substr(0, of.text.find('\n'));
+    const bool typed = of.text == *problem_ && line == of.text;
+    const bool commented = problem_->find('/') != std::string::npos || problem_->ends_with(".ode");
+    if (!typed) {
+        line = commented && line.starts_with('#') ? trimmed(line.substr(1)) : "";
+    }
+    return line.empty() || line.size() > longest ? of.name : line;
+}
+
 std::unique_ptr<libration::solution> problem_options::solution(bool general) const {
     const libration::problem asked(equations());
     auto found = naming([&] { return solve(asked, {.general = general || general_}); });

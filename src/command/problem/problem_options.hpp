@@ -81,6 +81,9 @@ public:
     const std::vector<std::string>& changes() const { return changes_; }
     /// The name of the problem for titles (problem_source::name). Throws input_error.
     std::string name() const { return problem_named(*problem_).name; }
+    /// A heading for figures: the text as typed, the comment in the first line of a file, or else the name. Throws
+    /// input_error.
+    std::string heading() const;
     /// The combinations of the lists --set X=1,2 or X=a:b:n, the last list fastest; one problem without values if there
     /// are no lists. Throws input_error, also for more than `most`.
     std::vector<family_member> family(std::size_t most = 1000) const;

@@ -360,7 +360,7 @@ int run_reference(const reference_options& options) {
     if (found.has_output()) {
         if (figure) {
             figure->draw(family_plot(family, parts, options.plot,
-                                     options.problem.is_chosen() ? options.problem.name() : "pendulum"));
+                                     options.problem.is_chosen() ? options.problem.heading() : "pendulum"));
         }
         table_output(options.output, figure).write(found.rows, found.text);
     }

@@ -137,7 +137,7 @@ int run_singularities(const singularities_options& options) {
     const answer found = singularities_of(options, *of, digits);
     const table data = table_of(found, labels_of_map());
     if (figure) {
-        figure->draw(singularity_plot(data, initial_point_of(options.problem), options.problem.name()));
+        figure->draw(singularity_plot(data, initial_point_of(options.problem), options.problem.heading()));
     }
     const bool is_judged = options.prove && options.output.format() == "text";
     table_output(options.output, figure)

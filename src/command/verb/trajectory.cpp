@@ -212,7 +212,7 @@ int run_trajectory(const trajectory_options& options) {
     const partial_table found = parts.size() == 1 ? parts.front() : family_table(family, parts);
     if (found.has_output()) {
         if (figure) {
-            figure->draw(family_plot(family, parts, options.plot, of_problem ? options.problem.name() : "pendulum"));
+            figure->draw(family_plot(family, parts, options.plot, of_problem ? options.problem.heading() : "pendulum"));
         }
         table_output(options.output, figure).write(found.rows);
     }
