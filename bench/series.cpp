@@ -1,4 +1,4 @@
-// The verdict on a list of coefficients beside a plain sweep of Pade approximants: of every [m/m] and [m-1/m] that the
+// The verdict on a list of coefficients compared with a plain sweep of Pade approximants: of every [m/m] and [m-1/m] that the
 // list holds, with the roots of all denominators. The lists are exp((1 - 4 x)^(1/3)) + (1 + 3 x)^(-1/2), to 100
 // digits: branch points, which a denominator imitates by poles that gather there, in a function that no short linear
 // equation describes. The errors are those of the radius, 1/4: of the verdict, and of the nearest root of the last
