@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import html
+import json
 import re
 import warnings
 from collections.abc import Mapping, Sequence
@@ -38,15 +39,55 @@ class Radius(NamedTuple):
     def __repr__(self) -> str:
         return str(self)
 
-    def plot(self, ax: Any = None) -> Any:
-        """Draws the radius of each test with its uncertainty, and returns the axes of matplotlib."""
+    def _list(self, name: str) -> list[dict[str, float]]:
+        rows = json.loads(str(self.tests[0][name]) or "[]")
+        return [{key: float(value) for key, value in row.items()} for row in rows]
+
+    @property
+    def history(self) -> list[dict[str, float]]:
+        """The verdict on the first coefficients alone: order, radius, uncertainty."""
+        return self._list("history")
+
+    @property
+    def fits(self) -> list[dict[str, float]]:
+        """The singularity by each differential approximant: position, exponent."""
+        return self._list("fits")
+
+    @property
+    def predictions(self) -> list[dict[str, float]]:
+        """How well the coefficients before it predict a coefficient: order, log10_error, relative."""
+        return self._list("predictions")
+
+    def plot(self, ax: Any = None, what: str = "tests") -> Any:
+        """Draws the radius of each test with its uncertainty ("tests"), the verdict against the number of coefficients
+        ("history"), positions and exponents by all approximants ("fits"), or the errors of predicted coefficients
+        ("predictions"), and returns the axes of matplotlib."""
+        if what not in ("tests", "history", "fits", "predictions"):
+            raise ValueError(f"{what!r} cannot be drawn: write 'tests', 'history', 'fits' or 'predictions'")
         axes = axes_of(ax)
-        found = [row for row in self.tests if isinstance(row["radius"], Ball)]
-        values = [number_of(row["radius"]) for row in found]
-        reaches = [float(row["radius"].uncertainty or 0) for row in found]  # type: ignore[union-attr]
-        axes.errorbar(values, range(len(found)), xerr=reaches, fmt="o")
-        axes.set_yticks(range(len(found)), [str(row["method"]) for row in found])
-        axes.set_xlabel("radius of convergence")
+        if what == "fits":
+            axes.plot([each["position"] for each in self.fits], [each["exponent"] for each in self.fits], ".")
+            axes.set_xlabel("position")
+            axes.set_ylabel("exponent")
+        elif what == "predictions":
+            axes.plot(
+                [each["order"] for each in self.predictions], [each["log10_error"] for each in self.predictions], ".-"
+            )
+            axes.set_xlabel("order")
+            axes.set_ylabel("log10 of the relative error of the prediction")
+        elif what == "history":
+            orders = [each["order"] for each in self.history]
+            radii = [each["radius"] for each in self.history]
+            axes.errorbar(orders, radii, yerr=[each["uncertainty"] for each in self.history], fmt="o-")
+            axes.set_xlabel("order")
+            axes.set_ylabel("radius of convergence")
+        else:
+            found = [row for row in self.tests if isinstance(row["radius"], Ball)]
+            values = [number_of(row["radius"]) for row in found]
+            reaches = [float(row["radius"].uncertainty or 0) for row in found]  # type: ignore[union-attr]
+            axes.errorbar(values, range(len(found)), xerr=reaches, fmt="o")
+            axes.set_yticks(range(len(found)), [str(row["method"]) for row in found])
+            axes.set_xlabel("radius of convergence")
         return axes
 
     def _repr_html_(self) -> str:

@@ -1,7 +1,9 @@
 """Derivatives, events, arrays from many starts, coefficients as data, figures and tables, references for SciML."""
 
 import json
+import math
 import threading
+from fractions import Fraction
 
 import libration as lb
 import mpmath
@@ -188,6 +190,13 @@ def test_figures_and_tables():
     tangent = lb.problem("x' = 1 + x^2; x(0) = 0")
     assert tangent.radius(order=60).plot().get_xlabel() == "radius of convergence"
     assert tangent.singularities(within=2).plot().get_ylabel() == "position_im"
+    roots = lb.radius([Fraction(math.comb(2 * n, n)) for n in range(30)])  # (1 - 4 x)^(-1/2)
+    assert all(abs(each["position"] - 0.25) < 1e-3 for each in roots.fits[:5])
+    assert roots.history[-1]["order"] <= 29 and abs(roots.history[-1]["radius"] - 0.25) <= roots.history[-1]["uncertainty"]
+    for what, x in (("history", "order"), ("fits", "position"), ("predictions", "order")):
+        assert roots.plot(what=what).get_xlabel() == x
+    with pytest.raises(ValueError, match="history"):
+        roots.plot(what="verdict")
     for result in (table, table[0], p.trajectory([0.0, 1.0]), tangent.radius(order=60), tangent.singularities(within=2)):
         shown = result._repr_html_()
         assert shown.startswith("<table>") and shown.count("<tr>") > 1
