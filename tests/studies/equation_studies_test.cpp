@@ -110,14 +110,14 @@ TEST_CASE("the rows of a cell of an equation do not depend on what is computed w
 
 TEST_CASE("parameters and starts of an equation are axes in front of the columns", "[studies][equation]") {
     const equation_words asked{"y'' = -w^2*y; y(0) = 1; y'(0) = 0; w = 1; n = 2; order = 1",
-                               {"y'(0)=0,1/3", "order=1", "w=1:2:3"}};
+                               {"y'(0)=0,1/3", "order=1", "w=1:2:2"}};
     const auto tables =
         tables_of(order_asked("study", "error_norm", asked, {{"--times", "0:1:3"}, {"--orders", "4"}}, 1));
     const std::string header = header_of(tables.front());
     CHECK(header.starts_with("w,set_order,y'(0),order,method,norm,"));
     CHECK(header.ends_with(",unknown,y'(0)_typed\n"));
     const auto rows = rows_of_table(tables.front());
-    REQUIRE(rows.size() == 18);
+    REQUIRE(rows.size() == 20);  // of five methods
     CHECK(rows.front().at("w") == "1");
     CHECK(rows.back().at("w") == "2");
     CHECK(rows.back().at("y'(0)_typed") == "1/3");
@@ -135,6 +135,8 @@ TEST_CASE("norms of an equation with a closed solution are those of the closed f
             CHECK(row.at("rigour") == "two-method");
         } else if (row.at("method") == "pade") {
             CHECK(row.at("norm") == "0");
+        } else if (row.at("method") == "euler" || row.at("method") == "gauge") {
+            CHECK(row.at("norm").empty());  // too few coefficients for a radius, and no scale is given
         } else {
             // y - p = (t - 1)^2 t^(N+1) r(t) with the pole's residue: r = c/(2 - t), c (2 - 1)^2 2^(N+1) = 1 at t = 2.
             const bool low = row.at("order") == "3";
@@ -156,7 +158,7 @@ TEST_CASE("a parameter without a solution fails its cell alone", "[studies][equa
         answers_of(order_asked("study", "error_norm", asked, {{"--times", "0:1:3"}, {"--orders", "4"}}, 1));
     CHECK(answers.failures.count == 2);  // the norms and the radii of c = 0
     CHECK(answers.failures.first.front().inputs.starts_with("c=0 "));
-    CHECK(rows_of_table(answers.tables.front()).size() == 3);
+    CHECK(rows_of_table(answers.tables.front()).size() == 5);
 }
 
 TEST_CASE("approximants over b meet the wall shears of Falkner and Skan in print", "[studies][equation]") {
