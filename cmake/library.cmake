@@ -85,7 +85,7 @@ set(units
     "integration/collocation"
     "plane|manifold"
     "hybrid|query"
-    "query/(certificate|sets|shooting)"
+    "query/(certificate|connection|sets|shooting)"
     "problem|problem/known|verification")
 foreach(source IN LISTS library_sources)
     cmake_path(GET source PARENT_PATH unit)

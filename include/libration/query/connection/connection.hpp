@@ -1,0 +1,40 @@
+// Solutions with given limits at infinity, proved by theorems W and C.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "libration/equation/text/limit_condition.hpp"
+#include "libration/query/states.hpp"
+#include "libration/scalar/printed_number.hpp"
+
+namespace libration::ode {
+
+/// Which solution is asked for.
+struct connection_question {
+    equation_system system;               ///< the values of the unknowns are the first guess
+    std::vector<std::string> unknowns;    ///< parameters, or initial values as f''(0)
+    std::vector<limit_condition> limits;  ///< at one end, or at both: then the initial values have no effect
+    std::vector<std::string> open = {};   ///< the unknowns without a first guess
+    long digits = 50;
+};
+
+/// The unknowns, in order, and what is proved of them.
+struct connection {
+    std::vector<proved_decimal> values;
+    std::string proved;                 ///< a sentence
+    std::string not_claimed;
+};
+
+/// Theorem C [THEOREMS; Coppel1978, vandenBergMirelesLessardMischaikow2011]: with the flow Phi_T from the initial values, or
+/// from the unstable manifold P^- of the equilibrium at -inf, at a fixed size of theta^-, and with the stable manifold P^+
+/// of the equilibrium at inf (theorem W, manifold/invariant_manifold.hpp), Krawczyk's test for
+///     Phi_T(x, theta^-) = P^+(theta^+; x)
+/// proves that exactly one (x, theta) in a box solves it: that solution tends to the equilibrium exponentially. The
+/// equilibria are those of far_state_of(). Throws error of the subject "conditions" for limits that are not those of an
+/// equilibrium, of "unknowns" for another number of unknowns than the dimensions of the manifolds require, and of "first
+/// guess" where no solution is found.
+connection proved_connection(const connection_question& question, const proof_route& route = {},
+                             const march_watch& watch = {});
+
+}  // namespace libration::ode

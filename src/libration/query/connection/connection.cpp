@@ -1,0 +1,249 @@
+#include "libration/query/connection/connection.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "candidate.hpp"
+#include "first_guesses.hpp"
+#include "layer_connection.hpp"
+#include "libration/algebra/krawczyk.hpp"
+#include "libration/scalar/ball/decimal.hpp"
+#include "libration/scalar/decimal.hpp"
+#include "libration/scalar/error.hpp"
+
+namespace libration::ode {
+
+namespace {
+
+constexpr std::size_t most_tried = 12;
+constexpr std::size_t few_values = 7;
+std::string count_of(std::size_t n, const std::string& what) {
+    return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+}
+
+// Initial values that have no effect, where both ends are at infinity.
+equation_system with_starts(equation_system system) {
+    const auto highest = system.highest_derivatives();
+    const expression point = system.starts.empty() ? expression(0) : system.starts.front().point;
+    for (const std::string& name : system.unknowns()) {
+        for (int order = 0; order < highest.at(name); ++order) {
+            const auto of = unknown(name, order);
+            if (std::ranges::none_of(system.starts, [&](const start& each) { return same_form(each.of, of); })) {
+                system.begin(of, 0, point);
+            }
+        }
+    }
+    return system;
+}
+
+bool is_two_sided(const std::vector<limit_condition>& limits) {
+    return std::ranges::any_of(limits, [](const auto& each) { return each.direction > 0; }) &&
+           std::ranges::any_of(limits, [](const auto& each) { return each.direction < 0; });
+}
+
+class connection_search {
+public:
+    connection_search(const connection_question& question, const proof_route& route, const march_watch& watch)
+        : question_(question),
+          map_(is_two_sided(question.limits) ? with_starts(question.system) : question.system, question.unknowns,
+               question.limits, route, watch) {}
+
+    connection result() {
+        const auto x = found();
+        if (!x) {
+            refuse_guess(
+                "is not found: Newton's method does not lead to a solution with these limits from the first "
+                "guess");
+        }
+        map_.degree = 0;
+        std::vector<ball> guess;
+        for (const double each : *x) {
+            guess.push_back(exactly_of(each));
+        }
+        const auto names = map_.names(question_.unknowns);
+        const auto roots = proved_part_of_root(
+            [&](const std::vector<ball>& at, long bits, long error_bits) { return map_(at, bits, error_bits); }, guess,
+            question_.digits, names);
+        return described(roots);
+    }
+
+private:
+    [[noreturn]] void refuse_guess(const std::string& reason) const {
+        throw error(error_kind::undecided, error_subject::first_guess, "", reason + ": try a better initial guess");
+    }
+
+    static ball exactly_of(double x) {
+        const precision_scope scope(decimal_digits(bits_of_first_iterate));
+        return ball(mpfr(x));
+    }
+
+    // The first guesses that are given, with all combinations of values for those that are not.
+    std::vector<std::vector<double>> first_guesses() const {
+        std::vector<double> given = nearest_doubles(map_.open().values);
+        given.resize(map_.numbers() + map_.coordinates(), 1);
+        std::vector<std::vector<double>> all{given};
+        if (map_.coordinates() == 1) {
+            all.push_back(given);
+            all.back().back() = -1;
+        }
+        for (std::size_t i = 0; i < question_.unknowns.size(); ++i) {
+            if (std::ranges::find(question_.open, question_.unknowns[i]) == question_.open.end()) {
+                continue;
+            }
+            std::vector<std::vector<double>> more;
+            auto values = signed_first_guesses();
+            if (question_.open.size() > 1) {
+                values.resize(few_values);
+            }
+            for (const auto& before : all) {
+                for (const double value : values) {
+                    more.push_back(before);
+                    more.back()[i] = value;
+                }
+            }
+            all = std::move(more);
+        }
+        return all;
+    }
+
+    struct attempt {
+        std::vector<double> numbers;
+        int side;
+        double distance;
+    };
+
+    // The first guesses whose solutions come near to the equilibrium, nearest first.
+    std::vector<attempt> attempts() {
+        std::vector<attempt> all;
+        std::string why;
+        for (const auto& numbers : first_guesses()) {
+            for (const int side : {1, -1}) {
+                if (side < 0 && !map_.has_two_ends()) {
+                    continue;
+                }
+                map_.degree = 12;
+                if (!map_.choose(numbers, side)) {
+                    continue;
+                }
+                if (map_.coordinates() > 0 && map_.right().variables() == 0) {
+                    continue;  // on the other side of the line of equilibria
+                }
+                require_square();
+                auto x = numbers;
+                x.resize(map_.size());
+                if (const auto near = approach_from(map_, x)) {
+                    all.push_back({numbers, side, near->distance});
+                }
+            }
+        }
+        std::ranges::stable_sort(all, {}, &attempt::distance);
+        if (all.size() > most_tried) {
+            all.resize(most_tried);
+        }
+        return all;
+    }
+
+    std::optional<std::vector<double>> found() {
+        const auto all = attempts();
+        if (all.empty()) {
+            refuse_guess(
+                "is not found: at the first guess, the equilibrium has no invariant manifold that is proved, as "
+                "for multiple eigenvalues");
+        }
+        for (const attempt& each : all) {
+            if (auto x = candidate_from(map_, each.numbers, each.side)) {
+                return x;
+            }
+        }
+        return std::nullopt;
+    }
+
+    // n = m + k^+ + k^- - 1 and the free coordinates.
+    void require_square() const {
+        const std::size_t stable = map_.right().variables();
+        if (map_.left_variables() > 2) {
+            throw error(error_kind::undecided, error_subject::conditions, "",
+                        "start on an unstable manifold of dimension " + std::to_string(map_.left_variables()) +
+                            ", and only 1 and 2 are supported: exchange the ends, by t -> -t");
+        }
+        if (map_.has_two_ends() && map_.left_variables() == 0) {
+            throw error(error_kind::argument, error_subject::conditions, "",
+                        "start at an equilibrium that no solution leaves: exchange the limits");
+        }
+        if (stable == 0) {
+            throw error(
+                error_kind::argument, error_subject::conditions, "",
+                "are the limits of an equilibrium without a direction of exponential decay: choose other limits");
+        }
+        const std::size_t others = map_.coordinates() + stable + (map_.has_two_ends() ? map_.left_variables() - 1 : 0);
+        const std::size_t n = map_.dimension();
+        if (others >= n) {
+            throw error(
+                error_kind::argument, error_subject::unknowns, "",
+                "are too many: solutions with these limits are found for every value of them, since " +
+                    count_of(stable, "exponentially decaying direction") + " of " + std::to_string(n) +
+                    " lead there: leave out the unknowns, ask for another limit, or, along the fastest directions "
+                    "alone, write fast after the limit");
+        }
+        if (question_.unknowns.size() + others != n) {
+            throw error(error_kind::argument, error_subject::unknowns, std::to_string(question_.unknowns.size()),
+                        "is not the number that these limits determine, " + std::to_string(n - others) +
+                            ": the state has " + count_of(n, "component") + ", and " + count_of(stable, "direction") +
+                            " of exponential decay: give as many --unknown");
+        }
+    }
+
+    connection described(const std::vector<known_value>& roots) const {
+        connection result;
+        const std::size_t first = map_.size() - map_.right().variables();
+        bool moves = false;
+        for (std::size_t i = 0; i < roots.size(); ++i) {
+            if (i < question_.unknowns.size() && !roots[i].decimal) {
+                throw error(error_kind::undecided, error_subject::solution, "",
+                            "has " + question_.unknowns[i] + " between -" + roots[i].bound + " and " + roots[i].bound +
+                                ", which is not distinguished from 0");
+            }
+            if (i < question_.unknowns.size()) {
+                result.values.push_back(*roots[i].decimal);
+            }
+            moves = moves || (i >= first && roots[i].decimal.has_value());
+        }
+        if (!moves) {
+            refuse_guess("is the constant solution");
+        }
+        const std::string names = joined(question_.unknowns);
+        result.proved = "exactly one " + (question_.unknowns.size() == 1 ? names : "set " + names) +
+                        " near these values for which the solution" +
+                        (map_.has_two_ends() ? " from the unstable manifold at -inf" : "") + " is on the " +
+                        std::to_string(map_.right().variables()) + "-dimensional " + (map_.is_fast() ? "strong " : "") +
+                        "stable manifold at t = " + time_text() + ", from where it tends to the limits exponentially";
+        result.not_claimed = "that there are no other values of " + names +
+                             ", or that solutions that tend to the limits in another way are excluded";
+        return result;
+    }
+
+    std::string time_text() const {
+        const precision_scope scope(decimal_digits(bits_of_first_iterate));
+        return to_decimal(mpfr(map_.direction() * map_.time), 6);
+    }
+
+    static std::string joined(const std::vector<std::string>& names) {
+        std::string all;
+        for (const std::string& each : names) {
+            all += (all.empty() ? "" : ", ") + each;
+        }
+        return all;
+    }
+
+    const connection_question& question_;
+    connection_map map_;
+};
+
+}  // namespace
+
+connection proved_connection(const connection_question& question, const proof_route& route, const march_watch& watch) {
+    return is_layer(question) ? proved_layer(question, route, watch)
+                              : connection_search(question, route, watch).result();
+}
+
+}  // namespace libration::ode

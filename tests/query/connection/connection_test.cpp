@@ -1,0 +1,144 @@
+// Solutions with limits at infinity compared with closed forms, and with published digits.
+#include "libration/query/connection/connection.hpp"
+
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+#include "libration/equation/text/parse.hpp"
+#include "libration/scalar/ball/functions.hpp"
+#include "libration/scalar/ball/predicates.hpp"
+#include "libration/scalar/error.hpp"
+#include "proved.hpp"
+
+namespace query_connection_test {
+
+using namespace libration;
+using namespace libration::ode;
+
+namespace {
+
+// The conditions at infinity are in the text; "c" without, "c=0.3" with a first guess.
+connection connected(const std::string& text, const std::vector<std::string>& unknowns, long digits) {
+    const separated_text separated = with_limits_separated(text);
+    connection_question question;
+    question.system = parse(separated.problem);
+    question.digits = digits;
+    for (const std::string& each : unknowns) {
+        const std::string name = each.substr(0, each.find('='));
+        question.unknowns.push_back(name);
+        if (name == each) {
+            question.open.push_back(name);
+        }
+        question.system = changed(question.system, name == each ? name + " = 1" : each);
+    }
+    for (const std::string& each : separated.limits) {
+        question.limits.push_back(parse_limit(question.system, each));
+    }
+    return proved_connection(question);
+}
+
+bool within_a_unit(const proved_decimal& printed, const ball& number, long digits) {
+    mpfr value;
+    mpfr_set_str(handle(value), printed.text.c_str(), 10, MPFR_RNDN);
+    return certainly_less(abs(ball(value) - number), abs(number) * pow(ball(10), 1 - digits));
+}
+
+}  // namespace
+
+TEST_CASE("solutions that decay to an equilibrium in closed form", "[ode][proved]") {
+    const precision_scope scope(80);
+    const auto soliton = connected("y'' = y - y^3; y'(0) = 0; y(inf) = 0", {"y(0)=1.4"}, 40);
+    CHECK(within_a_unit(soliton.values[0], sqrt(ball(2)), 40));
+    // y = 3/2 sech^2(t/2), with an integer coefficient as a parameter of the equation.
+    const auto square = connected("y'' = y - k*y^2; k = 1; y'(0) = 0; y(inf) = 0", {"y(0)=1.4"}, 30);
+    CHECK(within_a_unit(square.values[0], ball(3) / 2, 30));
+    // The parameter: 3/(2 k) = 1.
+    const auto factor = connected("y'' = y - k*y^2; k = 1; y(0) = 1; y'(0) = 0; y(inf) = 0", {"k=1.4"}, 30);
+    CHECK(within_a_unit(factor.values[0], ball(3) / 2, 30));
+    const auto pendulum = connected("x'' = -sin(x); x(0) = 0; x(inf) = pi", {"x'(0)"}, 40);
+    CHECK(within_a_unit(pendulum.values[0], ball(2), 40));
+    // As t -> -inf: y = tanh(-t).
+    const auto wall = connected("y'' = 2*y*(y^2 - 1); y(0) = 0; y(-inf) = 1", {"y'(0)=-0.9"}, 30);
+    CHECK(within_a_unit(wall.values[0], ball(-1), 30));
+}
+
+TEST_CASE("layers with lines of equilibria, and with an unknown that grows", "[ode][proved]") {
+    const precision_scope scope(80);
+    // f = 1 + (1 - exp(-l t))/l, l^2 - l - 3 = 0.
+    const auto crane =
+        connected("f''' + f*f'' - f'^2 - 2*f' = 0; f(0) = 1; f'(0) = 1; f'(inf) = 0", {"f''(0)=-1.9"}, 30);
+    CHECK(within_a_unit(crane.values[0], -(ball(1) + sqrt(ball(13))) / 2, 30));
+    const auto sink = connected("f''' + 1 - f'^2 = 0; f(0) = 0; f'(0) = 0; f'(inf) = 1", {"f''(0)=1.2"}, 30);
+    CHECK(within_a_unit(sink.values[0], ball(2) / sqrt(ball(3)), 30));
+    // [INFINITY, Sakiadis: prototypes/infinity]
+    const auto sakiadis = connected("f''' + f*f''/2 = 0; f(0) = 0; f'(0) = 1; f'(inf) = 0", {"f''(0)"}, 30);
+    CHECK(sakiadis.values[0].text == "-0.443748313368861051119832843850");
+}
+
+TEST_CASE("two unknowns, and a pair of complex eigenvalues", "[ode][proved]") {
+    const precision_scope scope(60);
+    const auto kawahara = connected("u'''' = u'' + u^2/2 - 36*u/169; u'(0) = 0; u'''(0) = 0; u(inf) = 0",
+                                    {"u(0)=0.62", "u''(0)=-0.05"}, 25);
+    CHECK(within_a_unit(kawahara.values[0], ball(105) / 169, 25));
+    CHECK(within_a_unit(kawahara.values[1], ball(-105) / 2197, 25));
+    // The first integral u' u''' - u''^2/2 + u'^2/4 + u^2/2 - u^3/3 is 0: u''(0)^2 = u(0)^2 - 2 u(0)^3/3.
+    const auto pair =
+        connected("u'''' = -u''/2 - u + u^2; u'(0) = 0; u'''(0) = 0; u(inf) = 0", {"u(0)=1.2", "u''(0)=-0.5"}, 24);
+    mpfr value;
+    mpfr_set_str(handle(value), pair.values[0].text.c_str(), 10, MPFR_RNDN);
+    const ball u(value);
+    CHECK(within_a_unit(pair.values[1], -sqrt(u * u - u * u * u * 2 / 3), 22));
+    CHECK(pair.values[0].text.starts_with("1.24524778089918173188"));
+}
+
+TEST_CASE("orbits between two equilibria", "[ode][proved]") {
+    const precision_scope scope(80);
+    const auto front = connected("u'' + c*u' + u*(1-u)*(u-1/4) = 0; u(-inf) = 1; u(inf) = 0", {"c=0.3"}, 40);
+    CHECK(within_a_unit(front.values[0], ball(1) / (sqrt(ball(2)) * 2), 40));
+    const auto pushed = connected("u'' + c*u' + u*(1-u)*(1+8*u) = 0; u(-inf) = 1; u(inf) = 0 fast", {"c=2.4"}, 20);
+    CHECK(within_a_unit(pushed.values[0], ball(10) / 4, 20));
+}
+
+TEST_CASE("boundary layers", "[ode][proved]") {
+    CHECK(connected("f''' + f*f'' = 0; f(0) = 0; f'(0) = 0; f'(inf) = 1", {"f''(0)"}, 50).values[0].text ==
+          "0.46959998836101330450933365344758845872133407845029");
+    // f = 2^(1/2) F(..): scaled by f'(inf) = 2 and f f''/2: 0.332057.. 2^(3/2).
+    const precision_scope scope(80);
+    const auto scaled = connected("f''' + f*f''/2 = 0; f(0) = 0; f'(0) = 0; f'(inf) = 2", {"f''(0)"}, 40);
+    const auto plain = connected("f''' + f*f''/2 = 0; f(0) = 0; f'(0) = 0; f'(inf) = 1", {"f''(0)"}, 45);
+    mpfr value;
+    mpfr_set_str(handle(value), plain.values[0].text.c_str(), 10, MPFR_RNDN);
+    CHECK(within_a_unit(scaled.values[0], ball(value) * sqrt(ball(8)), 39));
+    // [Hartree1937]: 0.3193 and -0.1405 for b = -1/10.
+    const std::string hartree = "f''' + f*f'' - (1 - f'^2)/10 = 0; f(0) = 0; f'(0) = 0; f'(inf) = 1";
+    CHECK(connected(hartree + " exponentially", {"f''(0)=0.3"}, 38).values[0].text ==
+          "0.31926975984254337011894020350357322835");
+    CHECK(connected(hartree + " exponentially", {"f''(0)=-0.14"}, 5).values[0].text == "-0.14055");
+    CHECK_THROWS_WITH(connected(hartree, {"f''(0)=0.3"}, 5), Catch::Contains("exponentially"));
+    CHECK(
+        connected("f''' + f*f'' + (1 - f'^2)/2 = 0; f(0) = 0; f'(0) = 0; f'(inf) = 1", {"f''(0)"}, 38).values[0].text ==
+        "0.92768003983665113921912613798407667167");
+}
+
+TEST_CASE("limits that are refused, with the reason", "[ode][proved]") {
+    const auto refusal = [](const std::string& text, const std::vector<std::string>& unknowns) {
+        try {
+            connected(text, unknowns, 10);
+        } catch (const error& problem) {
+            return std::string(problem.what());
+        }
+        return std::string("no refusal");
+    };
+    // No equilibrium at 3.14159, nor at 2.
+    CHECK_THAT(refusal("x'' = -sin(x); x(0) = 0; x(inf) = 3.14159", {"x'(0)"}),
+               Catch::Contains("limits of a constant"));
+    // A stable node: every solution tends there.
+    CHECK_THAT(refusal("y'' = -3*y' - 2*y; y(0) = 1; y(inf) = 0", {"y'(0)"}), Catch::Contains("too many"));
+    CHECK_THAT(refusal("u'' + c*u' + u*(1-u) = 0; u(-inf) = 1; u(inf) = 0", {"c=3"}), Catch::Contains("too many"));
+    CHECK_THAT(refusal("y'' = t*y; y(0) = 1; y(inf) = 0", {"y'(0)"}), Catch::Contains("'t' occurs in the equation"));
+    CHECK_THAT(refusal("x' = y; y' = x - x^3 + w; w' = -w*x; y(0) = 0; w(0) = 1; x(inf) = 1", {"x(0)"}),
+               Catch::Contains("of w") || Catch::Contains("number that these limits determine"));
+}
+
+}  // namespace query_connection_test
