@@ -52,6 +52,8 @@ const std::vector<statement_kind>& statement_kinds() {
     static const std::vector<statement_kind> all{
         {"value", "unknowns at a time", 290, ask_value},
         {"stiff", "unknowns of stiff problems, most by collocation", 20, ask_stiff},
+        {"comparison", "unknowns at a time by theorem G, few and many, also in chains of dependence", 40,
+         ask_comparison},
         {"special function", "solutions by functions of mpmath, alone and beside others", 30, ask_special_function},
         {"event", "times of events, and the unknowns there", 160, ask_event},
         {"count", "events before a time", 100, ask_count},

@@ -30,6 +30,7 @@ const std::vector<statement_kind>& statement_kinds();
 
 outcome ask_value(choices& next);
 outcome ask_stiff(choices& next);
+outcome ask_comparison(choices& next);
 outcome ask_special_function(choices& next);
 outcome ask_event(choices& next);
 outcome ask_count(choices& next);

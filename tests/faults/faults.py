@@ -49,9 +49,41 @@ INTEGERS = "scalar/ball/product_guard_test.cpp"
 SEQUENCES = "scalar/ball/polynomial_test.cpp"
 DOMAINS = "equation/defined_zero_test.cpp"
 CERTIFICATES = "problem/certificate_test.cpp"
+RADII = "integration/box/slope_matrix_test.cpp"
+BOXES = "integration/box/box_rule_test.cpp"
 LIMITS = "certificates/limits_test.cpp"
 
 FAULTS = [
+    *in_file(
+        "src/libration/integration/box/slope_matrix.cpp", [RADII],
+        ("the rest of the exponential forgotten", "sum[i].add_product(rest, weights[i]);", ""),
+        ("the decay of one unknown for all", "most = std::max(most, magnitude(each).above());",
+         "most = magnitude(each).above();"),
+        ("a decay that is not added to the diagonal", "upper_bound(each + result.decay)", "upper_bound(each)"),
+        ("radii at the end for those of the piece", "result.most[i] = std::max(result.most[i], (*sum)[i]);",
+         "result.most[i] = (*sum)[i] * factor;"),
+        ("entries beside the diagonal forgotten", "sum.add_product(of.beside[k], by[of.columns[k]]);", ""),
+    ),
+    *in_file(
+        "src/libration/integration/box/slope_bounds.cpp", [RADII],
+        ("the forward diagonal backwards", "upper_bound(direction < 0 ? -slope : slope)", "upper_bound(slope)"),
+        ("the lower end of the diagonal", "upper_bound(direction < 0 ? -slope : slope)",
+         "lower_bound(direction < 0 ? -slope : slope)"),
+        ("a slope that is not finite", "if (!is_finite(slope)) {", "if (false) {"),
+    ),
+    *in_file(
+        "src/libration/integration/box/box_rule.cpp", [BOXES],
+        ("slopes of the middle alone", "zero[i] ? box[i] : widened(box[i], tube[i])", "box[i]"),
+        ("radii beyond the tube", "within = within && (zero[i] || found->most[i] < tube[i]);", ""),
+        ("an unknown taken for 0 that is not",
+         "leaves = leaves || (zero[i] && !vanishing[i]);\n        zero[i] = zero[i] && vanishing[i];", ""),
+    ),
+    *in_file(
+        "src/libration/integration/box/box_step.cpp", [BOXES],
+        ("the radii of a box forgotten", "values[i] = widened(values[i], pieces[k].most[i]);", ""),
+        ("the radii at the end forgotten", "std::vector<magnitude> radii = series_->last;",
+         "std::vector<magnitude> radii(series_->last.size());"),
+    ),
     *in_file(
         "src/libration/hybrid/crossing_set.cpp", ["hybrid/crossing_set_test.cpp"],
         ("the motion of the next branch forgotten", "value(partial(reset, variable())) - slopes_after[map.size() - 1];",

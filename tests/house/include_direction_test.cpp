@@ -41,7 +41,8 @@ const std::set<std::string> general{"interface", "text", "run", "option", "probl
 const std::set<std::string> pendulum_tables{"motion_cells", "motion_coefficients", "motion_options",
                                             "period_table", "solution_options",    "trajectory_points"};
 // Subfolders include the plain files of their module; of their sisters only these.
-const std::set<std::pair<std::string, std::string>> sisters{{"integration/collocation", "integration/taylor"},
+const std::set<std::pair<std::string, std::string>> sisters{{"integration/box", "integration/taylor"},
+                                                            {"integration/collocation", "integration/taylor"},
                                                             {"integration/delay", "integration/taylor"},
                                                             {"integration/model", "integration/taylor"},
                                                             {"integration/root", "integration/taylor"},

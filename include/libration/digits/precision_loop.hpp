@@ -190,6 +190,7 @@ private:
     std::string of_;                     // of the largest demand
     std::optional<open_value> at_zero_;  // the first one of this run
     int runs_at_zero_ = 0;
+    int runs_with_both_ = 0;  // values that contain 0, and others that lack bits
     long steps_ = 0;
     std::optional<error> missing_;
 };

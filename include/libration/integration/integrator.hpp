@@ -7,14 +7,16 @@ namespace libration::ode {
 
 /// The integrator of the steps to a time.
 enum class integrator_choice {
-    automatic,   ///< the exponential of the matrix for linear systems with constant coefficients; else collocation
-                 ///< if the steps of Taylor series are much shorter than the scale of the solution
-    taylor,      ///< Taylor series alone (theorem V)
-    collocation  ///< collocation (theorem K) from the start on; Taylor series where no step of it is proved
+    automatic,    ///< the exponential of the matrix for linear systems with constant coefficients; else collocation
+                  ///< if the steps of Taylor series are much shorter than the scale of the solution; for many
+                  ///< unknowns theorem G instead of theorem V where it costs less
+    taylor,       ///< Taylor series with the derivative of the flow (theorem V) alone
+    collocation,  ///< collocation (theorem K) from the start on; Taylor series where no step of it is proved
+    comparison    ///< Taylor series with a comparison system for the errors (theorem G) alone
 };
 
 /// `exponential`: of the matrix of a linear system with constant coefficients, one step to each time.
-enum class step_method { taylor, collocation, exponential };
+enum class step_method { taylor, collocation, exponential, comparison };
 
 /// One step of a proof, as doubles: infinite where the range of double ends. No proof depends on them.
 struct step_report {

@@ -18,7 +18,7 @@ namespace libration {
 
 namespace {
 
-constexpr const char* integrator_remedy = "write automatic, taylor or collocation";
+constexpr const char* integrator_remedy = "write automatic, taylor, comparison or collocation";
 constexpr const char* trace_remedy = "choose a file in a folder that exists and that you may write in";
 
 std::string line_of(const ode::collocation_use& used) {
@@ -30,6 +30,7 @@ std::string line_of(const ode::collocation_use& used) {
 const char* name_of(ode::step_method method) {
     switch (method) {
         case ode::step_method::taylor: return "taylor";
+        case ode::step_method::comparison: return "comparison";
         case ode::step_method::collocation: return "collocation";
         case ode::step_method::exponential: return "exponential";
     }
@@ -41,8 +42,8 @@ const char* name_of(ode::step_method method) {
 void integrator_options::add_to(CLI::App& command) {
     command
         .add_option("--integrator", integrator_,
-                    "automatic (default), taylor, or collocation (for stiff equations); taylor and collocation are "
-                    "used even where a closed form is known")
+                    "automatic (default), taylor, comparison (for many unknowns), or collocation (for stiff "
+                    "equations); the last three are used even where a closed form is known")
         ->type_name("NAME");
 }
 
@@ -54,11 +55,14 @@ ode::integrator_choice integrator_options::choice() const {
     if (word == "taylor") {
         return ode::integrator_choice::taylor;
     }
+    if (word == "comparison") {
+        return ode::integrator_choice::comparison;
+    }
     if (word == "collocation") {
         return ode::integrator_choice::collocation;
     }
     throw input_error("--integrator", word,
-                      "is not an integrator" + suggestion(word, {"automatic", "taylor", "collocation"}),
+                      "is not an integrator" + suggestion(word, {"automatic", "taylor", "comparison", "collocation"}),
                       integrator_remedy);
 }
 

@@ -85,14 +85,26 @@ void run_demand::begin(const run_bits& with) {
     steps_ = 0;
 }
 
-// Whether values that contain 0 need another run, if nothing else does.
+// Whether values that contain 0 need another run, if nothing else does. Where several runs had both, values that contain 0
+// and others that lack bits, each run shows further ones that lack bits: twice as many, and no run after the last one for
+// zeros.
 void run_demand::finish() {
-    if (repeats_ || !at_zero_) {
+    if (!at_zero_) {
         return;
     }
     const double next = 2 * static_cast<double>(now_.bits);
     const bool is_short = static_cast<double>(steps_) * next * next <= most_work_at_zero;
-    if (++runs_at_zero_ < (is_short ? most_runs_at_zero : usual_runs_at_zero)) {
+    const int most_runs = is_short ? most_runs_at_zero : usual_runs_at_zero;
+    if (repeats_) {
+        if (++runs_with_both_ >= usual_runs_at_zero && runs_with_both_ >= most_runs) {
+            repeats_ = false;
+            ended(at_zero_->of, at_zero_->reason);
+        } else if (runs_with_both_ > 1) {
+            twice_the_bits(at_zero_->of);
+        }
+        return;
+    }
+    if (++runs_at_zero_ < most_runs) {
         twice_the_bits(at_zero_->of);
     } else {
         ended(at_zero_->of, at_zero_->reason);

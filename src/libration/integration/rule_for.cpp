@@ -56,6 +56,9 @@ nested_rule::nested_rule(const explicit_system& of, const run_bits& bits, const 
     if (auto times = root_times(regular); !times.empty() || begins_at_root(of)) {
         roots_ = std::make_unique<root_rule>(begins_at_root(of) ? of : regular, std::move(times), bits, route, weights);
     }
+    if (!roots_) {
+        regular_->allow_boxes(regular);
+    }
     first_passage_ = begins_at_root(of) ? roots_->passage_from_start(of) : nullptr;
     regular_->require_integrator(false);
 }

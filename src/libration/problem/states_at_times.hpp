@@ -78,10 +78,11 @@ inline void require_proof_of_derivatives(const request& how) {
     }
 }
 
-/// Throws error for collocation and an observer of steps, with the reason `unsupported`.
+/// Throws error for collocation, the comparison system and an observer of steps, with the reason `unsupported`.
 inline void require_plain_states(const request& how, const std::string& unsupported) {
-    if (how.integrator == ode::integrator_choice::collocation) {
-        throw error(error_kind::argument, error_subject::integrator, "collocation",
+    const bool compares = how.integrator == ode::integrator_choice::comparison;
+    if (compares || how.integrator == ode::integrator_choice::collocation) {
+        throw error(error_kind::argument, error_subject::integrator, compares ? "comparison" : "collocation",
                     unsupported + ": use automatic or taylor");
     }
     if (how.observer) {

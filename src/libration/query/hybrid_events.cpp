@@ -27,9 +27,10 @@ void continue_beyond(event_list& list, run_demand& demand, const hybrid_path& pa
 
 event_report searched_hybrid_events(const hybrid_system& system, const event_request& request, long digits,
                                     const proof_route& route, const event_watch& watch) {
-    if (route.integrator == integrator_choice::collocation) {
+    const bool compares = route.integrator == integrator_choice::comparison;
+    if (compares || route.integrator == integrator_choice::collocation) {
         throw error(
-            error_kind::argument, error_subject::integrator, "collocation",
+            error_kind::argument, error_subject::integrator, compares ? "comparison" : "collocation",
             "is not supported for a problem with events or a piecewise right-hand side: use automatic or taylor");
     }
     if (request.direction < 0 || request.from_start) {

@@ -15,8 +15,10 @@ namespace libration::attack {
 namespace {
 
 std::string value_command(const std::string& text, const std::string& time, long digits, ode::integrator_choice by) {
-    return fmt::format("libration reference --problem \"{}\" --time={} --digits {}{}", text, time, digits,
-                       by == ode::integrator_choice::collocation ? " --integrator collocation" : "");
+    const char* const integrator = by == ode::integrator_choice::collocation  ? " --integrator collocation"
+                                   : by == ode::integrator_choice::comparison ? " --integrator comparison"
+                                                                              : "";
+    return fmt::format("libration reference --problem \"{}\" --time={} --digits {}{}", text, time, digits, integrator);
 }
 
 }  // namespace

@@ -104,7 +104,8 @@ bool collocation_rule::is_worth_a_try(long cost, const magnitude& length, const 
         return false;
     }
     switch (route_.integrator) {
-        case integrator_choice::taylor: return false;
+        case integrator_choice::taylor:
+        case integrator_choice::comparison: return false;
         case integrator_choice::collocation: return true;
         case integrator_choice::automatic: break;
     }

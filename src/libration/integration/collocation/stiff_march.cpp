@@ -52,6 +52,10 @@ struct stiff_march<T>::parts {
         for (const unknown_function& each : of.unknowns()) {
             count += static_cast<std::size_t>(each.order);
         }
+        if (choice == integrator_choice::comparison) {
+            throw error(error_kind::argument, error_subject::integrator, "comparison",
+                        "is a method of proofs: use automatic, taylor or collocation, or the scalar ball:D");
+        }
         tolerance = step_tolerance::of<T>();
         possible = count * (static_cast<std::size_t>(tolerance.degree) + 1) <= most_equations;
         if (choice == integrator_choice::collocation && !possible) {

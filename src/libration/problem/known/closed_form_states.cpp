@@ -10,8 +10,10 @@ answer closed_form_states(const std::string& problem, const std::vector<std::str
                           const std::vector<exact>& times, const request& how,
                           const std::function<closed_form_row(const exact& time)>& at) {
     if (how.integrator != ode::integrator_choice::automatic) {
-        throw error(error_kind::argument, error_subject::integrator,
-                    how.integrator == ode::integrator_choice::taylor ? "taylor" : "collocation",
+        const char* const name = how.integrator == ode::integrator_choice::taylor       ? "taylor"
+                                 : how.integrator == ode::integrator_choice::comparison ? "comparison"
+                                                                                        : "collocation";
+        throw error(error_kind::argument, error_subject::integrator, name,
                     "is not used by the closed form of " + problem + ": use automatic, or solve with general = true");
     }
     answer result{.names = quantities, .rows = {}, .rigour = "proved"};
