@@ -210,9 +210,9 @@ int run(const libration::subcommand& command) {
 
 // Whether a command may take long; a study also ends by itself at a signal, with its journal.
 bool has_timeout(const std::string& name) {
-    constexpr std::array<std::string_view, 11> names{"reference", "trajectory",   "find",   "singularities",
+    constexpr std::array<std::string_view, 12> names{"reference", "trajectory",   "find",   "singularities",
                                                      "radius",    "elliptic",     "verify", "table",
-                                                     "series",    "coefficients", "study"};
+                                                     "series",    "coefficients", "study",  "asymptotics"};
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
@@ -255,7 +255,8 @@ int run_words(int argc, char** argv) {
         libration::claims_command(program),        libration::reproduce_command(program),
         libration::verify_command(program),        libration::cite_command(program),
         libration::find_command(program),          libration::problems_command(program),
-        libration::singularities_command(program), libration::import_command(program)};
+        libration::singularities_command(program), libration::import_command(program),
+        libration::asymptotics_command(program)};
     libration::timeout_option timeout;
     for (const libration::subcommand& each : commands) {
         if (has_timeout(each.options->get_name())) {

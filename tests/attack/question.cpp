@@ -62,6 +62,7 @@ const std::vector<statement_kind>& statement_kinds() {
         {"radius", "bounds of a radius of convergence", 4, ask_radius},
         {"position", "singularities within a distance", 4, ask_position},
         {"coefficient", "lists of Taylor coefficients, one for each unknown", 129, ask_coefficient},
+        {"law", "coefficients by the law of all coefficients", 20, ask_law},
         {"domain", "values of solutions that a factor of 0 ends", 28, ask_domain},
         {"singular start", "with the value that the equation determines, and beside it", 28, ask_singular_start},
         {"removable singularity", "quotients of two functions of one expression, from, across and up to a common zero",

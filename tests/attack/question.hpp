@@ -39,6 +39,7 @@ outcome ask_orbit(choices& next);
 outcome ask_radius(choices& next);
 outcome ask_position(choices& next);
 outcome ask_coefficient(choices& next);
+outcome ask_law(choices& next);
 outcome ask_zero(choices& next);
 outcome ask_refusal(choices& next);
 outcome ask_domain(choices& next);

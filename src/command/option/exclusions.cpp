@@ -144,6 +144,8 @@ const rules singularities_rules{
     {"--check", "!--prove", "compares two proofs and requires --prove", "add it, or leave --check out"},
 };
 
+const rules asymptotics_rules{{"", "!--problem", "no problem is given", add_problem}};
+
 const rules find_rules{
     {"", "!--problem", "no problem is given", add_problem},
     {"--periodic", "--unknown", "is given together with --unknown", leave_one},
@@ -212,6 +214,7 @@ const std::map<std::string, std::vector<rules>>& tables() {
         {"radius", {problem_rules, radius_rules, point_rules, energy_rules, motion_rules}},
         {"coefficients", {problem_rules, point_rules, coefficients_rules, energy_rules, motion_rules}},
         {"singularities", {singularities_rules}},
+        {"asymptotics", {asymptotics_rules}},
         {"find", {find_rules}},
         {"verify", {problem_rules, energy_rules, verify_rules}},
         {"series", {series_rules}},

@@ -101,6 +101,9 @@ const std::map<std::string, example_pair>& examples() {
           "find --problem \"y''=-e^y; y(0)=0; y'(0)=1/2\" --unknown \"y'(0)\" --such-that \"y(0)=y(1)\""}},
         {"problems", {"problems", "problems lorenz"}},
         {"import", {"import model.xml", "import model.xml | grep when"}},
+        {"asymptotics",
+         {"asymptotics --problem \"y' = 1 + y^2; y(0) = 0\" --order 1000001 --digits 30",
+          "asymptotics --problem \"y' = y^3 + t; y(0) = 1\" --order 100,10000"}},
         {"singularities",
          {"singularities --problem \"x' = 1 + x^2; x(0) = 0\"", "singularities --problem painleve_1 --within 3"}}};
     return all;

@@ -18,6 +18,7 @@ struct subcommand {
 
 subcommand find_command(CLI::App& program);
 subcommand singularities_command(CLI::App& program);
+subcommand asymptotics_command(CLI::App& program);
 subcommand problems_command(CLI::App& program);
 subcommand period_command(CLI::App& program);
 subcommand coefficients_command(CLI::App& program);

@@ -6,6 +6,7 @@
 #include "libration/equation/text/parse.hpp"
 #include "libration/integration/proof_route.hpp"
 #include "libration/number/two_proofs.hpp"
+#include "libration/problem/law_answer.hpp"
 #include "libration/problem/unknown_lists.hpp"
 #include "libration/scalar/decimal.hpp"
 #include "libration/scalar/exponent_range.hpp"
@@ -45,6 +46,42 @@ answer coefficient_answer(const ode::coefficient_request& of, const ode::coeffic
         if (list.root > 1) {
             row.push_back(text_value(rational(n, list.root).str()));
         }
+    }
+    return result;
+}
+
+constexpr long last_order_without_law = 20'000;
+constexpr long most_orders_by_law = 1'000;
+
+// Few coefficients of large order by the laws of all unknowns; std::nullopt if one of them has no law, or not all digits.
+std::optional<answer> series_by_laws(const ode::coefficient_request& of, const request& how) {
+    if (!of.about_start() || of.system.singular() || of.first <= last_order_without_law ||
+        of.order - of.first >= most_orders_by_law) {
+        return std::nullopt;
+    }
+    answer result{.names = {"n"}, .rows = {}, .rigour = "proved"};
+    law_question asked;
+    for (long n = of.first; n <= of.order; ++n) {
+        asked.orders.push_back(n);
+        result.rows.push_back({whole_value(n)});
+    }
+    try {
+        for (const auto& each : of.system.unknowns()) {
+            asked.show = each.name;
+            const law_report found = law_of(of.system, asked, how);
+            if (!found.complete) {
+                return std::nullopt;
+            }
+            result.names.push_back(each.name);
+            for (std::size_t i = 0; i < result.rows.size(); ++i) {
+                result.rows[i].push_back(found.coefficients.rows[i][1]);
+            }
+        }
+    } catch (const error& reason) {
+        if (reason.kind() != error_kind::undecided) {
+            throw;
+        }
+        return std::nullopt;
     }
     return result;
 }
@@ -114,6 +151,11 @@ answer taylor_solution::series(const series_request& of, const request& how) con
     const long digits = how.printed_digits();
     if (how.scalar.kind == scalar_kind::proved) {
         const auto checked = checked_products(how.check);
+        if (!how.check) {  // the second proof is by the recurrence, for which the first is as well
+            if (auto found = series_by_laws(asked, how)) {
+                return *std::move(found);
+            }
+        }
         const ode::shared_integrations::use kept(kept_);
         const auto found = ode::proved_coefficients(asked, digits, {}, kept.steps());
         if (how.check) {

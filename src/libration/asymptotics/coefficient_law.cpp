@@ -1,0 +1,321 @@
+#include "libration/asymptotics/coefficient_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "closed_equation.hpp"
+#include "law_circle.hpp"
+#include "libration/asymptotics/circle_mean.hpp"
+#include "libration/digits/precision_loop.hpp"
+#include "libration/equation/dependency.hpp"
+#include "libration/scalar/ball/functions.hpp"
+#include "libration/scalar/ball/predicates.hpp"
+#include "libration/scalar/error.hpp"
+
+namespace libration::ode {
+
+namespace {
+
+constexpr long digits_of_first_constants = 40;
+constexpr int most_law_attempts = 3;
+constexpr long bits_of_first_covering = 128;
+// Of the part of the slit that its expansion allows.
+constexpr double part_of_reach = 0.97;
+constexpr double part_of_slit = 0.85;
+constexpr double size_of_change = 1.6;
+constexpr long digits_of_law_bounds = 30;
+
+ball modulus_of_place(const complex_ball& z) { return sqrt(ball(z.re * z.re + z.im * z.im)); }
+
+[[noreturn]] void refuse_law(const std::string& why) {
+    throw error(error_kind::undecided, error_subject::problem, "", why);
+}
+
+std::string words_of_place(const std::complex<double>& z) {
+    return std::to_string(z.real()) + (z.imag() < 0 ? " - " : " + ") + std::to_string(std::abs(z.imag())) + "i";
+}
+
+[[noreturn]] void refuse_without_chart(const found_singularity& found) {
+    const std::complex<double> place(static_cast<double>(found.offset.re), static_cast<double>(found.offset.im));
+    refuse_law(
+        "has a singularity near " + words_of_place(place) +
+        " that is neither a pole by the form of its equation nor a branch point with a chart; --within RHO below " +
+        std::to_string(std::abs(place)) + " proves a bound C RHO^-n of its coefficients");
+}
+
+// The largest double that is certainly not above.
+double double_below(const ball& x) { return arf_get_d(arb_midref(lower_bound(x).handle()), ARF_RND_DOWN); }
+
+// rho between the nearest branch point and the ends of their slits.
+double circle_of_slits(const std::vector<algebraic_point>& all, double wanted, bool given) {
+    double end = wanted;
+    double nearest = wanted;
+    for (const algebraic_point& each : all) {
+        const double modulus = double_below(modulus_of_place(each.place));
+        end = std::min(end, modulus * (1 + part_of_reach * std::pow(double_below(each.reach), each.sheets)));
+        nearest = std::min(nearest, modulus);
+    }
+    if (end >= wanted) {
+        return wanted;
+    }
+    if (given) {
+        refuse_law("has no proved law up to " + std::to_string(wanted) +
+                   ": the expansion at a branch point reaches to " + std::to_string(end) +
+                   "; write a smaller RHO as --within");
+    }
+    // A number of few bits between.
+    const double unit = std::exp2(std::floor(std::log2(end - nearest)) - 4);
+    return std::floor((nearest + part_of_slit * (end - nearest)) / unit) * unit;
+}
+
+ball rho_as_ball(double rho) {
+    ball result;
+    arb_set_d(result.handle(), rho);
+    return result;
+}
+
+// Whether a place is outside the circle, decided by balls.
+bool is_outside(const complex_ball& place, double rho) {
+    const ball modulus = modulus_of_place(place);
+    if (certainly_less(rho_as_ball(rho), modulus)) {
+        return true;
+    }
+    if (!certainly_less(modulus, rho_as_ball(rho))) {
+        refuse_law("has a singularity near " + words_of_place(rounded_midpoint(place)) +
+                   " that is not decided to be inside |t - t0| = " + std::to_string(rho) +
+                   "; take another RHO as --within");
+    }
+    return false;
+}
+
+covering_tip tip_of(const algebraic_point& of) {
+    const std::complex<double> place = rounded_midpoint(of.place);
+    covering_tip tip{place, std::abs(place) * part_of_reach * std::pow(double_below(of.reach), of.sheets),
+                     std::abs(of.base) * (1 + 1e-12)};
+    if (!(std::abs(of.base - place) < tip.radius)) {
+        throw precision_exhausted("the base of a branch point");
+    }
+    return tip;
+}
+
+tip_bound bounds_of_tips(const std::vector<algebraic_point>& all) {
+    return [&all](std::size_t k, const complex_ball& offset) {
+        const complex_ball part = complex_ball(1) - offset / all[k].place;
+        const ball root = pow(modulus_of_place(part), ball(ball(1) / all[k].sheets));
+        return all[k].bound_over(root);
+    };
+}
+
+}  // namespace
+
+coefficient_law coefficient_law::of(const explicit_system& system, const law_request& asked) {
+    if (system.singular()) {
+        refuse_law("has a singular initial point, about which no law is proved");
+    }
+    closed_equation equation = closed_equation_of(system, asked.unknown, asked.derivative);
+    coefficient_law law(std::move(equation.system));
+    law.shift_ = equation.shift;
+    const tape start = tape::about_start(system);
+    law.stride_ = start.stride();
+    law.residue_ = start.residue_of(static_cast<int>(asked.unknown)) - asked.derivative;
+    with_half_more_bits(bits_of_first_covering, most_law_attempts, [&](long bits) -> std::optional<bool> {
+        const precision_scope scope(decimal_digits(bits));
+        try {
+            law.cover(asked);
+            return true;
+        } catch (const precision_exhausted&) {
+            return std::nullopt;
+        }
+    });
+    if (!law.atlas_ || law.rho_ == 0) {
+        refuse_law("has no law that is proved with the precisions that are tried");
+    }
+    return law;
+}
+
+void coefficient_law::cover(const law_request& asked) {
+    rho_ = 0;
+    branch_points_.clear();
+    const bool entire = has_entire_solutions(system_);
+    law_circle circle;
+    if (entire && asked.within) {
+        circle.rho = *asked.within;
+    } else if (entire) {
+        refuse_law(
+            "has an entire solution, without singularities; --within RHO proves a bound C RHO^-n of its coefficients");
+    } else {
+        circle = circle_for(system_, 0, asked.within, asked.watch);
+    }
+    atlas_ =
+        std::make_shared<const chart_atlas>(system_, circle.size > 0 ? size_of_change * circle.size : size_of_change);
+    charts_ = atlas_->has_poles() ? 2 : 1;
+    uniformizing_.reset();
+    std::vector<algebraic_point> tips;
+    if (!atlas_->has_poles() && !circle.inside.empty()) {
+        uniformizing_ = uniformizing_chart::of(system_);
+        last_term_ = asked.terms;
+        for (const found_singularity& each : circle.inside) {
+            if (!uniformizing_) {
+                refuse_without_chart(each);
+            }
+            const std::complex<double> near(static_cast<double>(each.offset.re), static_cast<double>(each.offset.im));
+            const precision_scope more(digits_of_first_constants + asked.terms);
+            try {
+                tips.push_back(algebraic_point_near(system_, *atlas_, *uniformizing_, exact_point(near), asked.terms));
+            } catch (const precision_exhausted&) {
+                refuse_without_chart(each);
+            }
+        }
+        circle.rho = circle_of_slits(tips, circle.rho, asked.within.has_value());
+        charts_ = 2;
+        std::erase_if(tips, [&](const algebraic_point& each) {
+            return certainly_less(rho_as_ball(circle.rho), modulus_of_place(each.place));
+        });
+    }
+    covering_request request{.rho = circle.rho, .bits = static_cast<long>(ball::working_bits())};
+    request.watch = asked.watch;
+    for (const algebraic_point& each : tips) {
+        request.tips.push_back(tip_of(each));
+    }
+    const charted_covering covering(system_, *atlas_, request);
+    discs_ = covering.pieces().size();
+    boxes_ = enclosed_poles(*atlas_, covering, circle.rho);
+    std::erase_if(boxes_, [&](const pole_box& each) { return is_outside(each.place, circle.rho); });
+    mean_ = circle_mean(covering, circle.rho, bounds_of_tips(tips));
+    near_.clear();
+    for (const algebraic_point& each : tips) {
+        near_.push_back(each.place);
+    }
+    rho_ = circle.rho;
+    const precision_scope more(digits_of_first_constants);
+    sharpen();
+}
+
+// If all powers of f are even or all are odd, f(-conj t) = s conj f(t), s = 1 or -1: with a pole p in a box -conj p is a pole.
+// If it is in the box, it is p, whose real part is 0 and for whose c_j conj c_j = s (-1)^j c_j.
+void coefficient_law::set_exact_parts(const pole_box& box, pole_terms& of) const {
+    if (stride_ % 2 != 0 || !box.contains({-of.place.re, of.place.im})) {
+        return;
+    }
+    of.place.re = ball(0);
+    const bool odd = (residue_ + shift_) % 2 != 0;
+    for (std::size_t j = 1; j <= of.principal.size(); ++j) {
+        complex_ball& c = of.principal[j - 1];
+        ((j % 2 != 0) == odd ? c.im : c.re) = ball(0);
+    }
+}
+
+void coefficient_law::sharpen() {
+    std::vector<pole_terms> poles;
+    for (const pole_box& each : boxes_) {
+        poles.push_back(terms_of_pole(system_, *atlas_, each));
+        set_exact_parts(each, poles.back());
+    }
+    std::vector<branch_terms> branch_points;
+    for (std::size_t k = 0; k < near_.size(); ++k) {
+        algebraic_point found = algebraic_point_near(system_, *atlas_, *uniformizing_, near_[k], last_term_);
+        if (!overlaps(near_[k].re, found.place.re) || !overlaps(near_[k].im, found.place.im)) {
+            throw precision_exhausted("a branch point");
+        }
+        branch_points.emplace_back(std::move(found), rho_);
+    }
+    poles_ = std::move(poles);
+    branch_points_ = std::move(branch_points);
+}
+
+namespace {
+
+// The indices J that are tried.
+std::vector<int> tried_terms(int last) {
+    std::vector<int> all{0, 1, 3, 5, 9, 15, 21, 29, 39, 49, 59, 79, 99};
+    std::erase_if(all, [&](int each) { return each >= last; });
+    all.push_back(last);
+    return all;
+}
+
+// m!/n! for m = n + shift.
+ball factorial_quotient(long n, int shift) {
+    ball result(1);
+    for (int k = 1; k <= shift; ++k) {
+        result *= n + k;
+    }
+    for (int k = 0; k > shift; --k) {
+        result /= n + k;
+    }
+    return result;
+}
+
+}  // namespace
+
+ball coefficient_law::circle_bound(long n) const {
+    const precision_scope few(digits_of_law_bounds);
+    return mean_.exact() * pow(rho_as_ball(rho_), -n);
+}
+
+ball coefficient_law::bound_of_function(long n, int terms) const {
+    ball sum = circle_bound(n);
+    const precision_scope few(digits_of_law_bounds);
+    for (const branch_terms& each : branch_points_) {
+        sum += each.bound(n, terms);
+    }
+    return upper_bound(sum);
+}
+
+int coefficient_law::best_terms(long n) const {
+    if (branch_points_.empty()) {
+        return 0;
+    }
+    std::optional<ball> least;
+    int best = 0;
+    for (const int each : tried_terms(last_term_)) {
+        const bool holds =
+            std::ranges::all_of(branch_points_, [&](const branch_terms& of) { return of.first(each) <= n; });
+        if (!holds) {
+            continue;
+        }
+        ball bound = bound_of_function(n, each);
+        if (!least || certainly_less(bound, *least)) {
+            least = std::move(bound);
+            best = each;
+        }
+    }
+    return best;
+}
+
+long coefficient_law::first(int terms) const {
+    long least = 0;
+    for (const branch_terms& each : branch_points_) {
+        least = std::max(least, each.first(terms));
+    }
+    return std::max(least - shift_, shift_ < 0 ? static_cast<long>(-shift_) : 0L);
+}
+
+ball coefficient_law::error_bound(long n) const {
+    const precision_scope few(digits_of_law_bounds);
+    const long m = n + shift_;
+    return upper_bound(ball(bound_of_function(m, best_terms(m)) * factorial_quotient(n, shift_)));
+}
+
+ball coefficient_law::value(long n) const {
+    if (n < first()) {
+        throw error(error_kind::argument, "order", std::to_string(n),
+                    "is below " + std::to_string(first()) + ", the first of the law");
+    }
+    if (vanishes(n)) {
+        return ball(0);
+    }
+    const long m = n + shift_;
+    const int terms = best_terms(m);
+    ball sum(0);
+    for (const pole_terms& each : poles_) {
+        sum += pole_coefficient(each, m);
+    }
+    for (const branch_terms& each : branch_points_) {
+        sum += each.coefficient(m, terms);
+    }
+    return widened(sum, magnitude(bound_of_function(m, terms))) * factorial_quotient(n, shift_);
+}
+
+}  // namespace libration::ode

@@ -1,0 +1,149 @@
+// Coefficients by the law of all coefficients: poles, branch points and movable logarithms, also in pairs and on one circle.
+#include <fmt/core.h>
+
+#include "attack/question.hpp"
+#include "libration/asymptotics/coefficient_law.hpp"
+#include "libration/scalar/ball/functions.hpp"
+#include "libration/scalar/exponent_range.hpp"
+
+namespace libration::attack {
+
+namespace {
+
+// y^(order) = sum over k of (constant_k + slope_k t) y^k, and the initial values.
+struct polynomial_equation {
+    int order = 1;
+    std::vector<rational> constants, slopes;
+    std::vector<rational> starts;
+
+    std::string text() const {
+        std::string right = "0";
+        for (std::size_t k = 0; k < constants.size(); ++k) {
+            right += fmt::format(" + ({} + ({})*t)*y^{}", constants[k].str(), slopes[k].str(), k);
+        }
+        std::string all = fmt::format("y{} = {}; y(0) = {}", std::string(static_cast<std::size_t>(order), '\''), right,
+                                      starts[0].str());
+        return order == 1 ? all : all + fmt::format("; y'(0) = {}", starts[1].str());
+    }
+
+    // Coefficient n by sums of products alone, in the working precision.
+    mpfr coefficient(long n) const {
+        std::vector<mpfr> a;
+        for (const rational& each : starts) {
+            a.push_back(real(each));
+        }
+        std::vector<std::vector<mpfr>> powers(constants.size());
+        const auto term = [](const std::vector<mpfr>& of, long at) {
+            return at < 0 ? mpfr(0) : of[static_cast<std::size_t>(at)];
+        };
+        for (long m = 0; static_cast<long>(a.size()) <= n; ++m) {
+            mpfr sum(0);
+            for (std::size_t k = 0; k < powers.size(); ++k) {
+                mpfr next(k == 0 && m == 0 ? 1 : 0);
+                for (long i = 0; k > 0 && i <= m; ++i) {
+                    next += a[static_cast<std::size_t>(i)] * powers[k - 1][static_cast<std::size_t>(m - i)];
+                }
+                powers[k].push_back(next);
+                sum += real(constants[k]) * next + real(slopes[k]) * term(powers[k], m - 1);
+            }
+            a.push_back(order == 1 ? mpfr(sum / (m + 1)) : mpfr(sum / ((m + 1) * (m + 2))));
+        }
+        return a[static_cast<std::size_t>(n)];
+    }
+};
+
+struct asked_law {
+    std::string text;
+    std::function<mpfr(long)> coefficient;
+    int derivative = 0;
+};
+
+rational few(choices& next, bool zero = true) {
+    const rational x(next.between(-4, 4), next.between(1, 3));
+    return x == 0 && !zero ? rational(1) : x;
+}
+
+asked_law of_equation(polynomial_equation made) {
+    return {made.text(), [=](long n) { return made.coefficient(n); }};
+}
+
+asked_law any_riccati(choices& next) {
+    return of_equation({1, {few(next), few(next), few(next, false)}, {few(next), 0, 0}, {few(next)}});
+}
+
+asked_law any_second_order(choices& next) {
+    polynomial_equation made{2, {0, 0, 0, 0}, {0, 0, 0, 0}, {few(next), few(next)}};
+    if (next.one_in(2)) {  // y'' = a y^2 + b y + c + d t
+        made.constants = {few(next), few(next), few(next, false), 0};
+        made.slopes[0] = next.one_in(2) ? few(next) : rational(0);
+    } else {  // y'' = a y^3 + (b + d t) y + c
+        made.constants = {few(next), few(next), 0, few(next, false)};
+        made.slopes[1] = next.one_in(2) ? few(next) : rational(0);
+    }
+    return of_equation(made);
+}
+
+asked_law any_abel(choices& next) {
+    const bool quartic = next.one_in(3);
+    polynomial_equation made{1, {few(next), few(next), 0, few(next, false)}, {few(next), 0, 0, 0}, {few(next, false)}};
+    if (quartic) {
+        made.constants.push_back(few(next, false));
+        made.slopes.emplace_back(0);
+    }
+    return of_equation(made);
+}
+
+// y y' = a + b t: y^2 = y0^2 + 2 a t + b t^2, whose root by n (2 a_0) a_n.
+asked_law any_root(choices& next) {
+    const rational start = few(next, false);
+    const rational a = few(next, false);
+    const rational b = few(next);
+    return {fmt::format("y*y' = {} + ({})*t; y(0) = {}", a.str(), b.str(), start.str()), [=](long n) {
+                std::vector<mpfr> y{real(start)};
+                for (long m = 1; m <= n; ++m) {
+                    mpfr sum = real(m == 1 ? rational(2 * a) : m == 2 ? b : rational(0));
+                    for (long i = 1; i < m; ++i) {
+                        sum -= y[static_cast<std::size_t>(i)] * y[static_cast<std::size_t>(m - i)];
+                    }
+                    y.push_back(sum / (y[0] * 2));
+                }
+                return y[static_cast<std::size_t>(n)];
+            }};
+}
+
+// y' = c e^y: y = y0 - log(1 - c e^y0 t), y0 = 0: a_n = c^n/n.
+asked_law any_logarithm(choices& next) {
+    const rational c = few(next, false);
+    return {fmt::format("y' = ({})*exp(y); y(0) = 0", c.str()),
+            [=](long n) { return mpfr(pow(real(c), static_cast<int>(n)) / n); }};
+}
+
+}  // namespace
+
+// Each coefficient of the law counts as one statement.
+outcome ask_law(choices& next) {
+    const auto kind = next.below(8);
+    const asked_law asked = kind < 2   ? any_riccati(next)
+                            : kind < 4 ? any_second_order(next)
+                            : kind < 6 ? any_abel(next)
+                            : kind < 7 ? any_root(next)
+                                       : any_logarithm(next);
+    const long order = next.one_in(8) ? 1000 : 200;
+    const std::string command =
+        fmt::format("libration asymptotics --problem \"{}\" --order 3,30,{}", asked.text, order);
+    return answered(command, [&](outcome& result) {
+        const whole_exponent_range exponents;
+        const precision_scope scope(60);
+        ode::law_request request;
+        request.watch = [](ode::plane_step /*step*/) { require_time_left(); };
+        const auto law = ode::coefficient_law::of(system_of(asked.text), request);
+        for (const long n : {3L, 30L, 31L, 32L, order - 1, order}) {
+            if (n >= law.first()) {
+                result.add(judged_ball(law.value(n), [&] { return asked.coefficient(n); }),
+                           fmt::format("coefficient {}", n));
+            }
+        }
+    });
+}
+
+}  // namespace libration::attack
