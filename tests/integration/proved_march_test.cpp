@@ -224,4 +224,25 @@ TEST_CASE("every problem of the catalogue is proved, and twice the same", "[ode]
     CHECK(proved > 40);
 }
 
+TEST_CASE("a close encounter is followed as long as the bits suffice") {
+    // Two bodies that pass at 5e-11 of their distance: after one period the state is the initial one.
+    const std::string kepler =
+        "x'' = -x/(x^2+y^2)^(3/2); y'' = -y/(x^2+y^2)^(3/2); x(0) = 1; x'(0) = 0; y(0) = 0; y'(0) = 1e-5";
+    const number period = parse_constant("2*pi*(2 - 1e-10)^(-3/2)").constant();
+    const explicit_system system(parse(kepler));
+    proved_march march(system, 240);
+    const auto state = march.at(period);
+    REQUIRE(state);
+    const precision_scope scope(120);
+    const std::vector<ball> start{ball(1), ball(0), ball(0), ball(1) / 100000};
+    for (std::size_t i = 0; i < start.size(); ++i) {
+        CHECK(contains((*state)[i], start[i]));
+        CHECK(magnitude::radius_of((*state)[i]) < magnitude::of(1, -40));
+    }
+    // With few bits the steps become too small.
+    proved_march brief(system, 80);
+    CHECK_FALSE(brief.at(period));
+    CHECK(brief.end() == stop::step_too_small);
+}
+
 }  // namespace integration_proved_march_test

@@ -15,6 +15,7 @@
 #include "../integration/closed_form/constant_solution.hpp"
 #include "../integration/closed_form/linear_flow.hpp"
 #include "libration/digits/precision_loop.hpp"
+#include "libration/integration/least_step.hpp"
 #include "libration/query/states.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/printed_number.hpp"
@@ -68,7 +69,8 @@ inline std::optional<std::string> reason_of_end(const proved_march& march, bool 
         return std::nullopt;
     }
     return "is not reached: the solution is proved to exist up to " + proved_reach_text(march.reached(), forward) +
-           ", where the step size falls below its minimum (probably a singularity)";
+           ", where the step size falls below its minimum, 2^" + std::to_string(log2_of_least_step(march.bits())) +
+           " of the time since the start (probably a singularity; more digits permit shorter steps)";
 }
 
 /// An additional request to a run besides the values.

@@ -25,6 +25,7 @@ inline constexpr std::size_t longest_name = 200;
 ///     f(t <= 0) = 1 + t                      the history of a delayed unknown, which gives its initial values too
 ///     invariant E - cos(y)                   constant along a solution
 ///     exact f = tan(t)                       a closed form
+///     q[i]' = p[i] for i = 1..9              a statement for each value of an index
 ///     # a comment
 /// Statements end with ; or the end of the line, or a comma outside parentheses. Names: a letter, then letters, digits,
 /// _; case-sensitive. Reserved are pi, inf, the variable and the names of functions in function/list.hpp. An unknown with

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "character.hpp"
+#include "indexed_statement.hpp"
 #include "libration/equation/text/parse.hpp"
 #include "libration/number/number_lexer.hpp"
 #include "libration/scalar/error.hpp"
@@ -60,6 +61,8 @@ public:
                 touches_ = false;
             } else if (c.kind == character_kind::superscript) {
                 read_superscript();
+            } else if (is_prime(c) && touches_ && !words_.empty() && is_symbol(words_.back(), ']')) {
+                add_prime(c);
             } else {
                 words_.push_back(word(c));
                 open_ += change_of_depth(words_.back());
@@ -90,6 +93,16 @@ private:
         touches_ = false;
     }
 
+    static bool is_prime(const character& c) { return c.source == "'" || c.kind == character_kind::prime; }
+
+    // q[i]'
+    void add_prime(const character& c) {
+        token& bracket = words_.back();
+        bracket.primes += static_cast<int>(c.ascii.size());
+        bracket.source = {bracket.source.data(), bracket.source.size() + c.source.size()};
+        advance(c.source.size());
+    }
+
     token begun() const {
         token made;
         made.at = at_;
@@ -115,7 +128,7 @@ private:
             made.kind = token_kind::name;
             made.text = c.ascii;
             finish(made, c.source.size());
-        } else if (is_digit(c.source.front()) || c.source == ".") {
+        } else if (is_digit(c.source.front()) || (c.source == "." && !rest_.starts_with(".."))) {
             finish(made, read_number(made));
         } else {
             finish(made, read_symbol(made, c));
@@ -143,8 +156,15 @@ private:
         return rest_.size() - tail.size();
     }
 
+    // 1 of 1..100
+    std::size_t bytes_before_range() const {
+        const std::size_t digits = std::min(rest_.find_first_not_of("0123456789"), rest_.size());
+        return rest_.substr(digits).starts_with("..") ? digits : rest_.size();
+    }
+
     std::size_t read_number(token& made) const {
-        std::string_view tail = rest_;
+        std::string_view tail = rest_.substr(0, bytes_before_range());
+        const std::size_t bytes = tail.size();
         try {
             const auto number = take_number(tail);
             if (!number) {
@@ -158,7 +178,7 @@ private:
             }
             refuse(std::string(rest_.substr(0, 20)), at_, problem.reason() + ": choose another number");
         }
-        return rest_.size() - tail.size();
+        return bytes - tail.size();
     }
 
     // Of x²⁻¹ it is not known whether the exponents are added or multiplied.
@@ -235,6 +255,10 @@ private:
     std::size_t read_symbol(token& made, const character& c) const {
         if (rest_.starts_with("**")) {
             made.symbol = '^';
+            return 2;
+        }
+        if (rest_.starts_with("..")) {
+            made.symbol = range_sign;
             return 2;
         }
         if (rest_.starts_with("<=") || rest_.starts_with(">=")) {
@@ -323,6 +347,7 @@ std::vector<statement> statements_of(std::string_view text) {
     }
     std::vector<statement> all = reader(text).read();
     read_connectives(all);
+    write_out_indices(all);
     return all;
 }
 

@@ -19,9 +19,11 @@ inline constexpr char unequal_sign = '?';
 inline constexpr char and_sign = '&';
 inline constexpr char or_sign = '|';
 inline constexpr char not_sign = '!';
+/// The symbol of .. in the range of an index.
+inline constexpr char range_sign = '.';
 
-/// A token of the text: a number, a name with its primes, or a symbol ( ) [ ] + - * / ^ = < > :, interval_sign, those of
-/// conditions, and a comma in parentheses or brackets; <= and >= are < and >. `and`, `or` and `not` are symbols unless
+/// A token of the text: a number, a name with its primes, or a symbol ( ) [ ] + - * / ^ = < > :, interval_sign,
+/// range_sign, those of conditions, and a comma in parentheses or brackets; <= and >= are < and >. `and`, `or` and `not` are symbols unless
 /// the text uses these names with primes or at the beginning of a statement.
 struct token {
     token_kind kind = token_kind::symbol;
@@ -29,7 +31,7 @@ struct token {
     std::string_view source;  ///< as written, with primes; a part of the text of the problem
     rational value;           ///< of a numeral
     char symbol = ' ';
-    int primes = 0;
+    int primes = 0;  ///< of a name, and of a bracket ] behind it
     place at;
     bool touches = false;   ///< whether it follows the previous token without a blank
     bool raised = false;    ///< whether it is written as a superscript
@@ -39,8 +41,8 @@ struct token {
 /// The tokens up to ; or the end of a line, or to a comma outside parentheses; at least one.
 using statement = std::vector<token>;
 
-/// The text in statements, without comments and blanks, which must outlive them. Throws error for characters that form
-/// no token.
+/// The text in statements, without comments and blanks, which must outlive them; indices are written out
+/// (indexed_statement.hpp): q[1] is a name. Throws error for characters that form no token.
 std::vector<statement> statements_of(std::string_view text);
 
 /// The text spanned by the tokens first .. last - 1.

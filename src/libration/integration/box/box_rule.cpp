@@ -5,6 +5,7 @@
 
 #include "../../expansion/set_values.hpp"
 #include "libration/expansion/step_pieces.hpp"
+#include "libration/integration/least_step.hpp"
 #include "libration/integration/taylor/taylor_march.hpp"
 #include "libration/scalar/error.hpp"
 
@@ -15,8 +16,6 @@ namespace {
 constexpr long most_box_steps = 10'000'000;
 // The errors added by a step are this number of bits below the box: 2^16 steps add as much as its width.
 constexpr long bits_below_the_box = 20;
-// log2 of the shortest step relative to the time that has passed.
-constexpr long log2_of_least_box_step = -40;
 // The precision of the slopes.
 constexpr long bits_of_slopes = 64;
 // log2 of the number of pieces of a step; and of the growth of the radii on one before a second trial of R.
@@ -100,7 +99,8 @@ next_step box_rule::next(const flow_state& from, const ball& rest) {
     magnitude length = power_of_two(log_of(std::min(
         {route_.shortened(power_of_two(wanted)), tail_->radius.shifted(-1), most_length_.value_or(tail_->radius)})));
     const auto series = made_series();
-    const magnitude least = magnitude(distance_between(from.time, origin_)) * magnitude::of(1, log2_of_least_box_step);
+    const magnitude least =
+        magnitude(distance_between(from.time, origin_)) * magnitude::of(1, log2_of_least_step(bits_.bits));
     for (int halving = 0; halving <= most_halvings_of_step; ++halving) {
         if (steps_ >= most_box_steps || length <= least) {
             break;

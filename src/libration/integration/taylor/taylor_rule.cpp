@@ -5,6 +5,7 @@
 
 #include "../../expansion/set_values.hpp"
 #include "libration/expansion/step_pieces.hpp"
+#include "libration/integration/least_step.hpp"
 #include "libration/integration/taylor/taylor_march.hpp"
 
 namespace libration::ode {
@@ -25,8 +26,6 @@ constexpr double bits_to_lose = 16;
 constexpr double significant_uncertainty = -12;
 constexpr double excess_growth = 0.3;
 constexpr int most_halvings_for_width = 5;
-// log2 of the shortest step relative to the time that has passed.
-constexpr long log2_of_least_step = -40;
 
 // The set in the scales of the unknowns, or its box if that is far less wide: if the scales differ by more than the
 // precision of the frame, columns that are not along the axes lose the smaller unknowns.
@@ -116,7 +115,7 @@ next_step taylor_rule::next(const flow_state& from, const ball& rest) {
     }
     series->length = length;
     if (steps_ >= most_series_steps ||
-        length <= magnitude(distance_between(time_, origin_)) * magnitude::of(1, log2_of_least_step)) {
+        length <= magnitude(distance_between(time_, origin_)) * magnitude::of(1, log2_of_least_step(bits_.bits))) {
         return {{}, stop::step_too_small};
     }
     ++steps_;

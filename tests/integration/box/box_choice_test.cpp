@@ -1,0 +1,44 @@
+// Which of the theorems G and V continues, for growths of the radii that are clearly on one side.
+#include "libration/integration/box/box_choice.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace integration_box_choice_test {
+
+using namespace libration::ode;
+
+namespace {
+
+// After ten steps over a distance of 1 in which the radii grow by so many bits.
+bool prefers_columns(std::size_t unknowns, double growth, double rest) {
+    box_choice choice(unknowns, 3 * unknowns);
+    for (int step = 0; step < 11; ++step) {
+        choice.add(growth / 10, 0.1, 100);
+    }
+    return choice.prefers_columns(rest);
+}
+
+}  // namespace
+
+TEST_CASE("box choice: radii that hardly grow need no derivative of the flow") {
+    CHECK_FALSE(prefers_columns(12, 10, 1));
+    CHECK_FALSE(prefers_columns(50, 5, 20));
+    CHECK_FALSE(prefers_columns(50, -5, 1000));
+}
+
+TEST_CASE("box choice: radii that grow by thousands of bits do") {
+    CHECK(prefers_columns(12, 10, 1000));
+    CHECK(prefers_columns(50, 5, 10000));
+}
+
+TEST_CASE("box choice: hundreds of unknowns never do") { CHECK_FALSE(prefers_columns(400, 10, 10000)); }
+
+TEST_CASE("box choice: no step decides before the fourth") {
+    box_choice choice(12, 30);
+    for (int step = 0; step < 3; ++step) {
+        choice.add(1000, 0.1, 100);
+        CHECK_FALSE(choice.prefers_columns(1000));
+    }
+}
+
+}  // namespace integration_box_choice_test
