@@ -379,18 +379,19 @@ TEST_CASE("what reference and find of a problem do not understand is refused", "
 }
 
 TEST_CASE("conditions at infinity in the text of a problem and as options are the same", "[command][problem]") {
-    const std::string front = "u'' + c*u' + u*(1-u)*(u-a) = 0; a = 1/4";
-    const auto by_text =
-        rows_of({"find", "--problem", front + "; u(-inf) = 1; u(inf) = 0", "--unknown", "c", "--digits", "20"});
-    CHECK(by_text.front().at("value") == "0.35355339059327376220");  // 1/(2 sqrt 2)
-    CHECK(by_text.front().at("name") == "c");
-    const std::string soliton = "y'' = y - y^3; y'(0) = 0";
-    for (const words& question : {words{"find", "--problem", soliton + "; y(inf) = 0"},
-                                  words{"find", "--problem", soliton, "--such-that", "y(inf) = 0"}}) {
-        const auto row =
-            rows_of(question + words{"--unknown", "y(0)", "--guess", "y(0)=1.4", "--digits", "20"}).front();
-        CHECK(row.at("value") == "1.4142135623730950488");
-    }
+    const auto prints = [](const words& question, const std::string& line) {
+        const auto found = run_libration(question + words{"--digits", "20", "--format", "csv"});
+        CHECK(found.exit_code == 0);
+        CHECK(found.out.find(line) != std::string::npos);
+        CHECK(found.err.find("proved: ") != std::string::npos);
+        CHECK(found.err.find("not claimed: ") != std::string::npos);
+    };
+    prints({"find", "--problem", "u'' + c*u' + u*(1-u)*(u-a) = 0; a = 1/4; u(-inf) = 1; u(inf) = 0", "--unknown", "c"},
+           "c,0.35355339059327376220,20,proved");  // 1/(2 sqrt 2)
+    const words last{"--unknown", "y(0)", "--guess", "y(0)=1.4"};
+    prints(words{"find", "--problem", "y'' = y - y^3; y'(0) = 0; y(inf) = 0"} + last, "y(0),1.4142135623730950488,20");
+    prints(words{"find", "--problem", "y'' = y - y^3; y'(0) = 0", "--such-that", "y(inf) = 0"} + last,
+           "y(0),1.4142135623730950488,20");
     check_refused({"find", "--problem", "x'' = -sin(x); x(0) = 0; x(inf) = 3.14159", "--unknown", "x'(0)"},
                   {"x(inf) = 3.14159", "equilibrium"});
     check_refused({"find", "--problem", "y'' = -3*y' - 2*y; y(0) = 1; y(inf) = 0", "--unknown", "y'(0)"},
