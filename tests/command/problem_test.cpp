@@ -275,8 +275,9 @@ TEST_CASE("a reference that cannot be proved ends with 1, says why, and prints n
     CHECK(touching.out.empty());
     const auto typed = run_libration({"find", "--problem", "f''' + f*f'' = 0; f(0)=0; f'(0)=0; f''(0)=k; k=1",
                                       "--unknown", "k", "--such-that", "f'(inf) = 1"});
-    CHECK(typed.exit_code == 1);
-    CHECK(typed.err.find("lemma") != std::string::npos);
+    CHECK(typed.exit_code == 0);
+    CHECK(typed.out.find("0.469599988361013304509333653447588458721334") != std::string::npos);
+    CHECK(typed.err.find("not claimed: ") != std::string::npos);
 }
 
 TEST_CASE("events that are found are printed also where others are not", "[command][problem]") {
@@ -374,7 +375,27 @@ TEST_CASE("what reference and find of a problem do not understand is refused", "
                   {"--unknown", "twice"});
     check_refused(
         {"find", "--problem", "blasius", "--unknown", "k", "--such-that", "f'(inf) = 1", "--such-that", "f(5) = 3"},
-        {"--such-that", "alone"});
+        {"--such-that", "'f(5) = 3'", "infinity"});
+}
+
+TEST_CASE("conditions at infinity in the text of a problem and as options are the same", "[command][problem]") {
+    const auto prints = [](const words& question, const std::string& line) {
+        const auto found = run_libration(question + words{"--digits", "20", "--format", "csv"});
+        CHECK(found.exit_code == 0);
+        CHECK(found.out.find(line) != std::string::npos);
+        CHECK(found.err.find("proved: ") != std::string::npos);
+        CHECK(found.err.find("not claimed: ") != std::string::npos);
+    };
+    prints({"find", "--problem", "u'' + c*u' + u*(1-u)*(u-a) = 0; a = 1/4; u(-inf) = 1; u(inf) = 0", "--unknown", "c"},
+           "c,0.35355339059327376220,20,proved");  // 1/(2 sqrt 2)
+    const words last{"--unknown", "y(0)", "--guess", "y(0)=1.4"};
+    prints(words{"find", "--problem", "y'' = y - y^3; y'(0) = 0; y(inf) = 0"} + last, "y(0),1.4142135623730950488,20");
+    prints(words{"find", "--problem", "y'' = y - y^3; y'(0) = 0", "--such-that", "y(inf) = 0"} + last,
+           "y(0),1.4142135623730950488,20");
+    check_refused({"find", "--problem", "x'' = -sin(x); x(0) = 0; x(inf) = 3.14159", "--unknown", "x'(0)"},
+                  {"x(inf) = 3.14159", "equilibrium"});
+    check_refused({"find", "--problem", "y'' = -3*y' - 2*y; y(0) = 1; y(inf) = 0", "--unknown", "y'(0)"},
+                  {"--unknown", "too many"});
 }
 
 TEST_CASE("the radius of a problem is that of its nearest singularity", "[command][problem]") {

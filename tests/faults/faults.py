@@ -1371,4 +1371,37 @@ FAULTS = [
         "src/libration/asymptotics/closed_equation.cpp", ["asymptotics/coefficient_law_test.cpp"],
         ("an equation along the solution with a wrong integral", "flow.at_start(f3 / f1)", "flow.at_start(f2 / f1)"),
     ),
+    *in_file(
+        "src/libration/manifold/manifold_tail.cpp", ["manifold/invariant_manifold_test.cpp"],
+        ("the first omitted degrees of a manifold forgotten",
+         "    for (std::size_t m = last + 1; m <= top; ++m) {\n        for (std::size_t i = 0; i < defect_.size(); ++i) {",
+         "    for (std::size_t m = last + 3; m <= top; ++m) {\n        for (std::size_t i = 0; i < defect_.size(); ++i) {"),
+    ),
+    *in_file(
+        "src/libration/manifold/invariant_manifold.cpp", ["manifold/invariant_manifold_test.cpp"],
+        ("the terms of the normal form forgotten", "    subtract_normal_form(result, m);\n", ""),
+    ),
+    *in_file(
+        "src/libration/query/connection/manifold_end.cpp", ["query/connection/manifold_end_test.cpp"],
+        ("the tail of a manifold at twice the degree", "pow(radius, static_cast<unsigned long>(degree));",
+         "pow(radius, 2 * static_cast<unsigned long>(degree));"),
+        ("the tail forgotten in a derivative by a parameter",
+         "                by_numbers[j] = widened(by_numbers[j], tail * per_number);\n", ""),
+    ),
+    *in_file(
+        "src/libration/manifold/layer_graph.cpp", ["manifold/layer_graph_test.cpp"],
+        ("the decay of 1/f^2 halved in the graph of a layer", "2 * static_cast<long>(i - 1) : 0;", "static_cast<long>(i - 1) : 0;"),
+        ("the residual of the graph of a layer forgotten", "    for (std::size_t i = 0; i < phi.rows(); ++i) {\n",
+         "    for (std::size_t i = 0; i < 2 * phi.rows(); ++i) {\n"),
+    ),
+    *in_file(
+        "src/libration/query/connection/far_state.cpp", ["query/connection/connection_test.cpp"],
+        ("limits that are not those of an equilibrium accepted", "        if (is_identically_zero(e)) {",
+         "        if (open_in(e).empty()) {"),
+    ),
+    *in_file(
+        "src/libration/query/connection/layer_connection.cpp", ["query/connection/connection_test.cpp"],
+        ("a limit that solutions beside it have too accepted", "        if (asked.exponentially ||",
+         "        if (!asked.text.empty() ||"),
+    ),
 ]

@@ -11,14 +11,16 @@ namespace libration {
 
 /// The parameters or initial values k, f''(0) for which as many conditions f'(5) = 1 hold, near the values that the
 /// problem has, each digit proved: name and value, a row for each. A condition is an equation between expressions of
-/// parameters and of values at several times, f(0) + f'(1)^2 = k (ode::add_condition). A single condition at infinity, f'(inf) = 1, is
-/// decided by a lemma about the problem (proved_for_infinity), and may determine several. With request.check the
+/// parameters and of values at several times, f(0) + f'(1)^2 = k (ode::add_condition). Conditions at infinity, f'(inf) = 1, are
+/// decided by a lemma about a problem of the catalogue (proved_for_infinity), otherwise by ode::proved_connection, with
+/// the notes "proved" and "not claimed"; unknowns in `without_guess` have no first guess there. With request.check the
 /// values are compared with a second proof: throws std::runtime_error with both enclosures if they disagree. Of the
 /// callbacks only request.reached is called, which may throw to end the search: what it throws reaches the caller.
 /// Throws error of the subjects "conditions" for conditions, "condition" for one at infinity, "unknowns" for unknowns
-/// that it cannot determine, and of the kind undecided for a condition at infinity without a lemma.
+/// that it cannot determine.
 answer find_unknowns(const problem& of, const std::vector<std::string>& unknowns,
-                     const std::vector<std::string>& conditions, const request& how);
+                     const std::vector<std::string>& conditions, const request& how,
+                     const std::vector<std::string>& without_guess = {});
 
 /// The values of a parameter or an initial value along which a branch is followed, as typed, at least two in one
 /// direction.

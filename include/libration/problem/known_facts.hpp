@@ -53,6 +53,10 @@ const known_facts* known_facts_of(const ode::equation_system& system);
 /// Whether a condition is one at infinity: f'(inf) = 1, u(-inf) = ...
 bool is_at_infinity(const std::string& condition);
 
+/// Whether proved_for_infinity() has a lemma for this condition.
+bool is_decided_by_lemma(const ode::equation_system& system, const std::vector<std::string>& unknowns,
+                         const std::string& condition);
+
 /// The values of parameters or initial values for which a condition at infinity holds, each digit proved: blasius k,
 /// falkner_skan s (b > 0), sakiadis G, with f'(inf), thomas_fermi slope, with y(inf) = 0, painleve_1 u(0) and u'(0),
 /// with u(-inf) = -sqrt(-z/6), without oscillations. Throws error of the kind undecided for a problem without a lemma,

@@ -10,6 +10,7 @@
 #include "change_words.hpp"
 #include "libration/equation/delay_system.hpp"
 #include "libration/equation/renamed_unknowns.hpp"
+#include "libration/equation/text/limit_condition.hpp"
 #include "libration/equation/text/parse.hpp"
 #include "libration/equation/unused_parameters.hpp"
 #include "libration/hybrid/initial_mode.hpp"
@@ -212,6 +213,9 @@ void problem_options::warn_of_unused(const std::string& written) const {
                    quotation(name), quotation(column), quotation(name));
     }
     std::string used = written;
+    for (const std::string& each : limits_) {
+        used += "\ninvariant " + each.substr(each.find('=') + 1);
+    }
     for (const char* option : {"--until", "--such-that"}) {
         const CLI::Option* const conditions = command_->get_option_no_throw(option);
         for (const std::string& each : conditions == nullptr ? std::vector<std::string>() : conditions->results()) {
@@ -245,6 +249,36 @@ ode::equation_system problem_options::equations(
     }
     require_values(system, *problem_);
     return system;
+}
+
+std::vector<std::string> problem_options::take_limits() {
+    if (!problem_) {
+        return {};
+    }
+    ode::separated_text separated;
+    try {
+        separated = ode::with_limits_separated(problem_named(*problem_).text);
+        if (separated.limits.empty()) {
+            return {};
+        }
+        const auto ends_at = [&](const char* end) {
+            return std::ranges::any_of(separated.limits,
+                                       [&](const std::string& each) { return each.find(end) != std::string::npos; });
+        };
+        const auto system = ode::parse(separated.problem);
+        const auto highest = system.highest_derivatives();
+        for (const std::string& name :
+             ends_at("(-inf)") && ends_at("(inf)") ? system.unknowns() : std::vector<std::string>()) {
+            for (int order = 0; order < highest.at(name); ++order) {
+                separated.problem += fmt::format("\n{}(0) = 0", ode::primed(name, order));
+            }
+        }
+    } catch (const error&) {
+        return {};  // reported where the problem is read
+    }
+    problem_ = separated.problem;
+    limits_ = separated.limits;
+    return limits_;
 }
 
 void problem_options::state_first_branch() const {

@@ -76,7 +76,10 @@ public:
     /// The same as it is written, with the changes; other options, by their names, may give values X = VALUE to what
     /// the text leaves open.
     ode::equation_system equations(const std::vector<std::pair<std::string, std::string>>& by_options = {}) const;
-    /// The argument as it was given.
+    /// Removes the conditions at infinity, f'(inf) = 1, from the text of the problem. If there are conditions at both
+    /// ends, missing initial values, which then have no effect, are set to 0.
+    std::vector<std::string> take_limits();
+    /// The argument as it was given, without what take_limits() removed.
     const std::optional<std::string>& problem() const { return problem_; }
     const std::vector<std::string>& changes() const { return changes_; }
     /// The name of the problem for titles (problem_source::name). Throws input_error.
@@ -101,6 +104,7 @@ private:
     std::optional<std::string> problem_;
     std::vector<std::string> changes_;
     std::vector<std::string> shown_;
+    std::vector<std::string> limits_;  ///< taken by take_limits()
     bool general_ = false;
     bool announced_ = false;  ///< the first of a family has announced what holds for all
     std::shared_ptr<bool> warned_ = std::make_shared<bool>(false);  ///< once for all copies

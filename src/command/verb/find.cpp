@@ -31,6 +31,7 @@ struct find_options {
     output_options output;
     std::optional<std::string> digits;
     std::vector<std::string> unknowns, conditions, guesses;
+    std::vector<std::string> without_guess;  // at infinity, where several values are tried
     std::optional<std::string> along, certificate;
     bool periodic = false, check = false;
 };
@@ -87,7 +88,8 @@ answer found_by(const find_options& options, const problem& of, const request& h
     if (!at_infinity) {
         require_as_many_conditions(options);
     }
-    return proposing_guesses(options, [&] { return find_unknowns(of, options.unknowns, options.conditions, how); });
+    return proposing_guesses(
+        options, [&] { return find_unknowns(of, options.unknowns, options.conditions, how, options.without_guess); });
 }
 
 // NAME = VALUES of --along.
@@ -186,19 +188,51 @@ int print_solutions(const find_options& options, const found_solutions& found, l
     for (const std::string& each : found.remarks()) {
         say_line(shortened(each));
     }
+    if (!found.solutions().empty()) {
+        for (const answer_note& each : found.solutions().front().notes) {
+            say_line(each.name + ": " + each.text);
+        }
+    }
     if (ended) {
         throw error(*ended);
     }
     return found.has_failures() ? 1 : 0;
 }
 
-int run_find(const find_options& options) {
+// The first value of an unknown that has none, where several are tried.
+void give_first_values(find_options& options, first_guess& guess) {
+    const ode::equation_system typed = problem(problem_named(*options.problem.problem()).text).equations();
+    const auto is_given = [&](const std::string& name) {
+        const auto gives = [&](const std::string& each) { return without_blanks(each).starts_with(name + "="); };
+        const auto paren = name.find('(');
+        return std::ranges::any_of(guess, gives) || std::ranges::any_of(options.problem.changes(), gives) ||
+               (paren == std::string::npos
+                    ? !typed.is_open(name)
+                    : std::ranges::any_of(typed.starts, [&](const ode::start& each) {
+                          return ode::primed(each.of.name(), each.of.derivative()) == name.substr(0, paren);
+                      }));
+    };
+    for (const std::string& name : options.unknowns) {
+        if (!is_given(name)) {
+            options.without_guess.push_back(name);
+            guess.push_back(name + " = 1");
+        }
+    }
+}
+
+int run_find(find_options options) {
+    for (const std::string& each : options.problem.take_limits()) {
+        options.conditions.push_back(each);
+    }
     options.output.check();
     const long digits = digits_of(options.digits);
     if (options.certificate) {
         require_output_place("--certificate", *options.certificate);
     }
-    const auto guesses = first_guesses(options.guesses, options.unknowns);
+    auto guesses = first_guesses(options.guesses, options.unknowns);
+    if (std::ranges::any_of(options.conditions, is_at_infinity)) {
+        give_first_values(options, guesses.front());
+    }
     const auto along = options.along ? std::optional(read_along(options)) : std::nullopt;
     require_first_values(options, guesses.front(), along);
     const problem of(options.problem.equations(first_values(guesses.front(), along)));
@@ -287,9 +321,11 @@ subcommand find_command(CLI::App& program) {
         "--check", options->check,
         "compare with a second proof by another route, exit 1 if they disagree; with --certificate also run "
         "its checker");
-    return {
-        command, [options] { return run_find(*options); },
-        [options](std::string_view /*limits*/) { return std::ranges::any_of(options->conditions, is_at_infinity); }};
+    return {command, [options] { return run_find(*options); },
+            [options](std::string_view /*limits*/) {
+                const auto& typed = options->problem.problem();
+                return std::ranges::any_of(options->conditions, is_at_infinity) || (typed && is_at_infinity(*typed));
+            }};
 }
 
 }  // namespace libration

@@ -44,7 +44,7 @@ layer_polynomial formal_graph(const layer_equation& of, std::size_t terms) {
     return phi;
 }
 
-// The right side of that equation for phi, without the terms that vanish.
+// The right-hand side of that equation for phi, without the terms that vanish.
 layer_polynomial residual_of(const layer_equation& of, const layer_polynomial& phi) {
     const std::size_t columns = std::max(2 * phi.columns() + 1, of.k.size() + 1);
     layer_polynomial result(2 * phi.rows() + 2, columns);

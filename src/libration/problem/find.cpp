@@ -9,6 +9,7 @@
 #include "libration/number/two_proofs.hpp"
 #include "libration/problem/known_facts.hpp"
 #include "libration/problem/proved_answer.hpp"
+#include "libration/query/connection/connection.hpp"
 #include "libration/query/shooting/periodic_orbit.hpp"
 #include "libration/query/shooting/proved_unknowns.hpp"
 #include "libration/query/shooting/solution_branch.hpp"
@@ -67,6 +68,46 @@ found_values found_for_infinity(const problem& of, const std::vector<std::string
                                 const std::string& condition, long digits) {
     return {unknowns, about(error_subject::conditions,
                             [&] { return proved_for_infinity(of.equations(), unknowns, condition, digits); })};
+}
+
+// By theorem C.
+answer connection_found(const problem& of, const std::vector<std::string>& unknowns,
+                        const std::vector<std::string>& conditions, const request& how,
+                        const std::vector<std::string>& without_guess) {
+    ode::connection_question question{of.equations(), unknowns, {}, without_guess, 0};
+    for (const std::string& each : conditions) {
+        if (!is_at_infinity(each)) {
+            throw error(error_kind::argument, error_subject::condition, each,
+                        "is given together with one at infinity: write it as an initial value of the problem");
+        }
+        question.limits.push_back(
+            about(error_subject::conditions, [&] { return ode::parse_limit(of.equations(), each); }));
+    }
+    std::vector<answer_note> notes;
+    answer result = found_by(how, [&](long digits, const ode::proof_route& route) {
+        question.digits = digits;
+        const auto found =
+            about(error_subject::unknowns, [&] { return ode::proved_connection(question, route, watch_of(how)); });
+        notes = {{"proved", found.proved}, {"not claimed", found.not_claimed}};
+        return found_values{unknowns, found.values};
+    });
+    result.notes = std::move(notes);
+    return result;
+}
+
+answer found_at_infinity(const problem& of, const std::vector<std::string>& unknowns,
+                         const std::vector<std::string>& conditions, const request& how,
+                         const std::vector<std::string>& without_guess) {
+    if (conditions.size() > 1 || !is_decided_by_lemma(of.equations(), unknowns, conditions.front())) {
+        return connection_found(of, unknowns, conditions, how, without_guess);
+    }
+    if (how.check) {
+        throw error(error_kind::argument, error_subject::check, "",
+                    "compares two proofs, and this condition at infinity has only one, by a lemma: leave it out");
+    }
+    return found_by(how, [&](long digits, const ode::proof_route& /*route*/) {
+        return found_for_infinity(of, unknowns, conditions.front(), digits);
+    });
 }
 
 void require_distinct(const std::vector<std::string>& unknowns) {
@@ -187,21 +228,11 @@ answer find_branch(const problem& of, const std::vector<std::string>& unknowns,
 }
 
 answer find_unknowns(const problem& of, const std::vector<std::string>& unknowns,
-                     const std::vector<std::string>& conditions, const request& how) {
+                     const std::vector<std::string>& conditions, const request& how,
+                     const std::vector<std::string>& without_guess) {
     require_distinct(unknowns);
-    const auto at_infinity = std::ranges::find_if(conditions, is_at_infinity);
-    if (at_infinity != conditions.end()) {
-        if (conditions.size() > 1) {
-            throw error(error_kind::argument, error_subject::condition, *at_infinity,
-                        "is at infinity, which is decided alone: give it without the others");
-        }
-        if (how.check) {
-            throw error(error_kind::argument, error_subject::check, "",
-                        "compares two proofs, and a condition at infinity has only one, by a lemma: leave it out");
-        }
-        return found_by(how, [&](long digits, const ode::proof_route& /*route*/) {
-            return found_for_infinity(of, unknowns, conditions.front(), digits);
-        });
+    if (std::ranges::any_of(conditions, is_at_infinity)) {
+        return found_at_infinity(of, unknowns, conditions, how, without_guess);
     }
     require_as_many(conditions, unknowns);
     const auto read = read_conditions(of, conditions);

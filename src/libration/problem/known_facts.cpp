@@ -89,6 +89,20 @@ bool is_at_infinity(const std::string& condition) {
     return plain.find("(inf)") != std::string::npos || plain.find("(-inf)") != std::string::npos;
 }
 
+bool is_decided_by_lemma(const ode::equation_system& system, const std::vector<std::string>& unknowns,
+                         const std::string& condition) {
+    const known_facts* const facts = known_facts_of(system);
+    if (facts == nullptr || !facts->condition || !determines(*facts->condition, unknowns)) {
+        return false;
+    }
+    const auto limit = right_side(condition, facts->condition->of);
+    try {
+        return limit && facts->condition->holds(*limit);
+    } catch (const error&) {
+        return false;  // not a number, but more words
+    }
+}
+
 std::vector<proved_decimal> proved_for_infinity(const ode::equation_system& system,
                                                 const std::vector<std::string>& unknowns, const std::string& condition,
                                                 long digits) {

@@ -1,4 +1,4 @@
-// Solutions with given limits at infinity, proved by theorems W and C.
+// Solutions with given limits at infinity, proved by theorems W, X and Y.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace libration::ode {
 
-/// Which solution is asked for.
+/// The solution that is requested.
 struct connection_question {
     equation_system system;               ///< the values of the unknowns are the first guess
     std::vector<std::string> unknowns;    ///< parameters, or initial values as f''(0)
@@ -22,11 +22,11 @@ struct connection_question {
 /// The unknowns, in order, and what is proved of them.
 struct connection {
     std::vector<proved_decimal> values;
-    std::string proved;                 ///< a sentence
+    std::string proved;  ///< a sentence
     std::string not_claimed;
 };
 
-/// Theorem C [THEOREMS; Coppel1978, vandenBergMirelesLessardMischaikow2011]: with the flow Phi_T from the initial values, or
+/// Connecting orbits [docs/theorems/infinity.md; vandenBerg2011]: with the flow Phi_T from the initial values, or
 /// from the unstable manifold P^- of the equilibrium at -inf, at a fixed size of theta^-, and with the stable manifold P^+
 /// of the equilibrium at inf (theorem W, manifold/invariant_manifold.hpp), Krawczyk's test for
 ///     Phi_T(x, theta^-) = P^+(theta^+; x)

@@ -12,7 +12,7 @@ namespace libration::ode {
 
 namespace {
 
-// The times that stand for infinity while the rest of a condition is read.
+// The time for infinity while the rest of a condition is read.
 constexpr std::string_view far_time = "1000000000000000000000007";
 constexpr std::string_view exponentially_word = "exponentially";
 constexpr std::string_view fast_word = "fast";

@@ -22,6 +22,7 @@ constexpr double far_away = 50;
 constexpr double small_enough = 1e-20;
 constexpr double converged = 1e-12;
 constexpr double trivial = 1e-9;
+constexpr double largest_series_theta = 4;
 constexpr double scale_of_unknowns = 0.2;
 constexpr double nearly_nearest = 1.5;
 constexpr double near_distance = 0.1;
@@ -85,7 +86,7 @@ public:
                 for (std::size_t i = 0; i < x.size(); ++i) {
                     x[i] = as_double(at[i]);
                 }
-                return largest_theta(x) < 4;
+                return map_.degree == 1 || largest_theta(x) < largest_series_theta;
             }
             last = size;
         }
@@ -221,8 +222,9 @@ nearest_approach first_near(const std::vector<nearest_approach>& all) {
             minimum = before;
         }
     }
-    const auto small =
-        std::find_if(all.begin(), minimum, [](const nearest_approach& each) { return each.distance <= near_distance; });
+    const double small_distance = near_distance * std::max(1., all.front().distance);
+    const auto small = std::find_if(all.begin(), minimum,
+                                    [&](const nearest_approach& each) { return each.distance <= small_distance; });
     nearest_approach result = *small;
     result.nearest_time = minimum->time;
     result.distance = least->distance;
@@ -268,7 +270,8 @@ std::optional<nearest_approach> approach_from(const connection_map& map, const s
                 }
             }
             all.push_back({time, time, distance, now});
-            if (time > latest || distance > far_away || distance < small_enough || march.steps() > most_samples) {
+            if (time > latest || distance > far_away * (1 + all.front().distance) || distance < small_enough ||
+                march.steps() > most_samples) {
                 break;
             }
         }

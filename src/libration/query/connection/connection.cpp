@@ -115,7 +115,7 @@ private:
     // The first guesses whose solutions come near to the equilibrium, nearest first.
     std::vector<attempt> attempts() {
         std::vector<attempt> all;
-        std::string why;
+        std::optional<error> wrong_number;  // at the first of several guesses, others may have other dimensions
         for (const auto& numbers : first_guesses()) {
             for (const int side : {1, -1}) {
                 if (side < 0 && !map_.has_two_ends()) {
@@ -128,13 +128,21 @@ private:
                 if (map_.coordinates() > 0 && map_.right().variables() == 0) {
                     continue;  // on the other side of the line of equilibria
                 }
-                require_square();
+                try {
+                    require_square();
+                } catch (const error& problem) {
+                    wrong_number = wrong_number ? wrong_number : problem;
+                    continue;
+                }
                 auto x = numbers;
                 x.resize(map_.size());
-                if (const auto near = approach_from(map_, x)) {
-                    all.push_back({numbers, side, near->distance});
+                if (const auto approach = approach_from(map_, x)) {
+                    all.push_back({numbers, side, approach->distance});
                 }
             }
+        }
+        if (all.empty() && wrong_number) {
+            throw error(*wrong_number);
         }
         std::ranges::stable_sort(all, {}, &attempt::distance);
         if (all.size() > most_tried) {
@@ -212,8 +220,8 @@ private:
             refuse_guess("is the constant solution");
         }
         const std::string names = joined(question_.unknowns);
-        result.proved = "exactly one " + (question_.unknowns.size() == 1 ? names : "set " + names) +
-                        " near these values for which the solution" +
+        result.proved = "exactly one " + (question_.unknowns.size() == 1 ? names : "set " + names) + " near " +
+                        (question_.unknowns.size() == 1 ? "this value" : "these values") + " for which the solution" +
                         (map_.has_two_ends() ? " from the unstable manifold at -inf" : "") + " is on the " +
                         std::to_string(map_.right().variables()) + "-dimensional " + (map_.is_fast() ? "strong " : "") +
                         "stable manifold at t = " + time_text() + ", from where it tends to the limits exponentially";

@@ -49,6 +49,7 @@ std::optional<manifold_end> end_in(const parametric_system& open, const first_or
                                    int direction) {
     auto known = constants_of(open, form);
     bool any = false;
+    std::string texts;
     for (std::size_t i = 0; i < limits.size(); ++i) {
         if (limits[i].direction != direction) {
             continue;
@@ -61,9 +62,16 @@ std::optional<manifold_end> end_in(const parametric_system& open, const first_or
                         "is not about an unknown or a lower derivative: choose one of those that are integrated");
         }
         known.emplace_back(static_cast<std::size_t>(place - form.names.begin()), open.others[i]);
+        texts += (texts.empty() ? "" : "; ") + limits[i].text;
     }
-    return any ? std::optional<manifold_end>(std::in_place, form, lifted, far_state_of(form, known, direction),
-                                             open.leaves, direction)
+    const auto rest = [&] {
+        try {
+            return far_state_of(form, known, direction);
+        } catch (const error& problem) {
+            throw error(problem.kind(), error_subject::condition, texts, problem.reason());
+        }
+    };
+    return any ? std::optional<manifold_end>(std::in_place, form, lifted, rest(), open.leaves, direction)
                : std::nullopt;
 }
 

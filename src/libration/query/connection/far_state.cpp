@@ -118,11 +118,11 @@ private:
         const auto open = open_in(e);
         if (open.empty()) {
             throw error(error_kind::argument, error_subject::conditions, "",
-                        "are not the limits of a constant solution: the derivative of " + form_.names[k] +
+                        "is not the limit of a constant solution: the derivative of " + form_.names[k] +
                             " is not seen to vanish there: give the limits of an equilibrium, exactly");
         }
         throw error(error_kind::argument, error_subject::conditions, "",
-                    "do not determine the limit of " + form_.names[open.front()] + ": add " +
+                    "does not determine the limit of " + form_.names[open.front()] + ": add " +
                         form_.names[open.front()] + time_ + " = NUMBER");
     }
 

@@ -1,4 +1,4 @@
-// Boundary layers f''' + a f f'' = q(f'), f'(inf) = L: conditions at infinity that are no equilibria.
+// Boundary layers f''' + a f f'' = q(f'), f'(inf) = L: f grows, so that the limit is not one at an equilibrium.
 #pragma once
 
 #include <optional>

@@ -109,7 +109,7 @@ std::vector<double> manifold_end::theta_near(const std::vector<double>& numbers,
     const auto here = field(complex_of(exact_balls(numbers)), false);
     const auto frame = enclosed_frame(linear_part(here), plan_);
     std::vector<double> result(plan_.size());
-    // The lifted unknowns follow from the given ones: least squares by the rows of these alone.
+    // The other unknowns follow from the given ones: least squares by the rows of these alone.
     const auto rest = rest_values(numbers);
     const std::size_t n = given_moving_.size();
     const std::size_t k = plan_.size();
