@@ -57,8 +57,6 @@ FAULTS = [
     *in_file(
         "src/libration/integration/box/slope_matrix.cpp", [RADII],
         ("the rest of the exponential forgotten", "sum[i].add_product(rest, weights[i]);", ""),
-        ("the decay of one unknown for all", "most = std::max(most, magnitude(each).above());",
-         "most = magnitude(each).above();"),
         ("a decay that is not added to the diagonal", "upper_bound(each + result.decay)", "upper_bound(each)"),
         ("radii at the end for those of the piece", "result.most[i] = std::max(result.most[i], (*sum)[i]);",
          "result.most[i] = (*sum)[i] * factor;"),
