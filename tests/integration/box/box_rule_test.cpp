@@ -162,8 +162,8 @@ TEST_CASE("box: a wide box in which a solution ends is not enclosed") {
 }
 
 TEST_CASE("box: slopes beyond the tube count as soon as the radii reach it") {
-    // The slope of 100 y - 60 sin y is 40 at the middle and 160 at y = pi. 1000 y at multiples of 1/400 from y(0) = 1/10, by Runge
-    // and Kutta's method with steps of 10^-6, rounded down; the unknown z makes the steps shorter than its pole.
+    // The slope of 100 y - 60 sin y is 40 at the middle and 160 at y = pi. 1000 y at multiples of 1/400 from y(0) = 1/10,
+    // by Runge and Kutta's method with steps of 10^-6, rounded down; the pole of the unknown z limits the steps.
     const std::vector<std::pair<int, int>> values{
         {12, 336},    {13, 372},    {14, 413},    {15, 459},    {16, 510},    {17, 568},    {18, 633},
         {19, 707},    {20, 793},    {21, 891},    {22, 1006},   {23, 1143},   {24, 1308},   {25, 1512},
