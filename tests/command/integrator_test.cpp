@@ -101,6 +101,28 @@ TEST_CASE("a trace has a row for each step", "[command][reference]") {
     CHECK(rows.back().at("method") == "collocation");
 }
 
+TEST_CASE("many unknowns are followed by a comparison system, as the trace states", "[command][reference]") {
+    // A ring of springs with q = cos(2 pi i/16 + 1/3) cos(w t), w = 2 sin(pi/16).
+    const words ring{"--problem",
+                     "q[i]'' = q[(i+1) mod 16] - 2*q[i] + q[(i-1) mod 16] for i = 0..15; "
+                     "q[i](0) = cos(2*pi*i/16 + 1/3) for i = 0..15; q[i]'(0) = 0 for i = 0..15",
+                     "--integrator",
+                     "comparison",
+                     "--time",
+                     "1",
+                     "--digits",
+                     "15",
+                     "--check"};
+    const temporary_folder folder;
+    const auto done = run_libration(words{"reference", "--trace", "steps.csv"} + ring, folder.path());
+    REQUIRE(done.exit_code == 0);
+    CHECK(contains(done.out, "q[2] "));
+    CHECK(contains(done.out, "0.403992353167"));
+    for (const table_row& row : csv_rows(text_of_file(folder.path() / "steps.csv"))) {
+        CHECK(row.at("method") == "comparison");
+    }
+}
+
 TEST_CASE("a trace is written if the integration fails", "[command][reference]") {
     const temporary_folder folder;
     const auto done = run_libration(
@@ -117,6 +139,10 @@ TEST_CASE("an integrator is refused where it has no meaning or is not possible",
                   {"--integrator", "colocation", "collocation?", "automatic"});
     check_refused(words{"reference", "--integrator", "collocation", "--time", "1", "--digits", "400"} + decay,
                   {"--integrator", "collocation", "1024 bits"});
+    check_refused(words{"reference", "--integrator", "comparison", "--time", "1", "--derivatives", "y(0)"} + decay,
+                  {"--integrator", "comparison", "derivative of the flow", "automatic or taylor"});
+    check_refused(words{"trajectory", "--integrator", "comparison", "--time", "1"} + decay,
+                  {"--integrator", "comparison", "ball:D"});
     check_refused({"reference", "--integrator", "taylor", "--energy", "1", "--time", "1"},
                   {"--integrator", "--problem"});
     check_refused({"reference", "--trace", "steps.csv", "--energy", "1", "--time", "1"}, {"--trace", "--problem"});

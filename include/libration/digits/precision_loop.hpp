@@ -167,6 +167,8 @@ public:
     void more_error_bits(const std::string& of);
     /// The precision was exhausted at this fraction of the interval: the loss, extrapolated to the end, and a margin.
     void ended_part_way(double part, const std::string& of);
+    /// The same where bits are lost in proportion to the interval: what has been lost, extrapolated, and the digits.
+    void ended_by_steady_loss(double part, const std::string& of);
     /// Twice the bits for a question that more bits may decide; beyond `most` of them the reason why it is not decided.
     void undecided(const std::string& of, const std::string& reason, long most);
     /// No run helps, for this reason. The first reason of all is kept.

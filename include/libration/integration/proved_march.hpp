@@ -60,6 +60,11 @@ public:
     const ball& reached() const { return reached_; }
     /// The steps up to there. A step of collocation counts as several.
     long steps() const { return steps_; }
+    /// Whether the last step that was made is one of theorem G, whose errors grow steadily.
+    bool ends_by_comparison() const {
+        return along_ && along_->last_step() != nullptr &&
+               along_->last_step()->made().method == step_method::comparison;
+    }
     /// The initial number of bits.
     long bits() const { return bits_.bits; }
     /// Where collocation was used.

@@ -68,6 +68,15 @@ void run_demand::ended_part_way(double part, const std::string& of) {
     more_bits(std::max(now_.bits + now_.bits / 4, extrapolated + bits_of_first_run(digits_)), of);
 }
 
+void run_demand::ended_by_steady_loss(double part, const std::string& of) {
+    constexpr double largest_growth = 8;
+    constexpr double margin = 1.05;
+    constexpr long bits_left = 24;  // where the errors became too wide
+    const double times = part > 0 ? std::min(margin / part, largest_growth) : largest_growth;
+    const auto lost = static_cast<long>(times * static_cast<double>(now_.bits - bits_left));
+    more_bits(std::max(now_.bits + now_.bits / 4, lost + bits_left + bits_of_digits(digits_)), of);
+}
+
 void run_demand::undecided(const std::string& of, const std::string& reason, long most) {
     2 * now_.bits <= most ? twice_the_bits(of) : ended(of, reason);
 }

@@ -161,7 +161,9 @@ private:
                     const auto part_up_to = [&](std::size_t index) {
                         return part_of_way(system_.point(), march->reached(), times_[index]);
                     };
-                    demand.ended_part_way(std::min(part_up_to(order_.back().index), part_up_to(each.index)), time);
+                    const double part = std::min(part_up_to(order_.back().index), part_up_to(each.index));
+                    march->ends_by_comparison() ? demand.ended_by_steady_loss(part, time)
+                                                : demand.ended_part_way(part, time);
                 }
                 continue;
             }

@@ -72,12 +72,4 @@ TEST_CASE("indexed statement: what is not an index is refused") {
     CHECK(reason_for("x' = [0, 1]'").find("does not follow a name") != std::string::npos);
 }
 
-TEST_CASE("indexed statement: a thousand masses are read in linear time") {
-    const auto system = parse(
-        "q[i]' = p[i] for i = 1..1000; p[i]' = q[i+1] - 2*q[i] + q[i-1] for i = 1..1000; q[0] = 0; "
-        "q[1001] = 0; q[i](0) = sin(i) for i = 1..1000; p[i](0) = 0 for i = 1..1000");
-    CHECK(system.equations.size() == 2000);
-    CHECK(system.starts.size() == 2000);
-}
-
 }  // namespace equation_text_indexed_statement_test

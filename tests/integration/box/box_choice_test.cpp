@@ -33,12 +33,4 @@ TEST_CASE("box choice: radii that grow by thousands of bits do") {
 
 TEST_CASE("box choice: hundreds of unknowns never do") { CHECK_FALSE(prefers_columns(400, 10, 10000)); }
 
-TEST_CASE("box choice: no step decides before the fourth") {
-    box_choice choice(12, 30);
-    for (int step = 0; step < 3; ++step) {
-        choice.add(1000, 0.1, 100);
-        CHECK_FALSE(choice.prefers_columns(1000));
-    }
-}
-
 }  // namespace integration_box_choice_test

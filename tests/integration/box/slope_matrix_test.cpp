@@ -64,6 +64,13 @@ TEST_CASE("box: radii grow as the exponential of the comparison system") {
     CHECK(radii->most[1].above() >= 10);
 }
 
+TEST_CASE("box: unknowns that decay and grow keep their rates") {
+    const auto radii = grown(matrix_of({{-10, 0}, {0, 1}}), whole_numbers({1, 1}), magnitude(1U), ones(2));
+    REQUIRE(radii);
+    check_bound(radii->last[0], std::exp(-10.0));
+    check_bound(radii->last[1], std::exp(1.0));
+}
+
 TEST_CASE("box: a rotation grows as a hyperbolic rotation") {
     const auto of = matrix_of({{0, 1}, {1, 0}});
     for (const unsigned long length : {1UL, 3UL, 20UL}) {
