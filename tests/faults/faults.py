@@ -1325,7 +1325,7 @@ FAULTS = [
     ),
     *in_file(
         "src/libration/plane/charted_covering.cpp", ["plane/charted_covering_test.cpp"],
-        ("a piece used below its base", "if (piece.base < r1 && all_within", "if (all_within"),
+        ("the base of a piece forgotten", "std::max(std::abs(centre), base)", "0 * base"),
         ("a tip used below its base", "if (tip.base < r1 && all_within", "if (all_within"),
         ("a slit crossed", "if (farthest < half_turn - angle_margin) {", "if (farthest < 2 * half_turn) {"),
         ("a part of a sector left out", "queue.push({{inner, asked_.rho, at(k), at(k + 1)}, 0});",
