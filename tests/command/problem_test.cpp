@@ -11,9 +11,12 @@
 
 #include "command/printed.hpp"
 #include "command/refusal.hpp"
+#include "libration/number/exact.hpp"
+#include "libration/scalar/precision_scope.hpp"
 
 namespace command_problem_test {
 
+using namespace libration;
 using namespace libration::tests;
 
 namespace {

@@ -8,7 +8,7 @@ namespace libration::ode {
 /// From so many unknowns on, with their lower derivatives, the steps of a proof begin with theorem G.
 inline constexpr std::size_t least_unknowns_of_box = 10;
 /// From so many on, theorem V is not considered: its set-up takes longer than the integration by theorem G.
-inline constexpr std::size_t most_unknowns_with_columns = 200;
+inline constexpr std::size_t most_unknowns_with_columns = 120;
 
 /// The growth of the radii of theorem G so far, and the cost that follows from it.
 class box_choice {
