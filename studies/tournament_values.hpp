@@ -97,7 +97,7 @@ inline const column_list<value_score_row>& value_score_columns() {
     static const column_list<row> all{
         {"region", "of the point, as in the table values; all: every list", [](const row& r) { return r.region; }},
         {"order", "N, last power of the lists", [](const row& r) { return r.order; }},
-        {"lists", "", [](const row& r) { return r.lists; }},
+        {"lists", "random lists", [](const row& r) { return r.lists; }},
         {"values", "given for them", [](const row& r) { return r.values; }},
         {"covered", "share of the values whose error is within the uncertainty",
          [](const row& r) { return r.values == 0 ? cell() : decimal_cell(mpfr(mpfr(r.covered) / r.values), 4); }},
