@@ -95,8 +95,7 @@ void run_demand::begin(const run_bits& with) {
 }
 
 // Whether values that contain 0 need another run, if nothing else does. Where several runs had both, values that contain 0
-// and others that lack bits, each run shows further ones that lack bits: twice as many, and no run after the last one for
-// zeros.
+// and others that lack bits, each run shows further ones that lack bits: then twice as many bits, in few more runs.
 void run_demand::finish() {
     if (!at_zero_) {
         return;
@@ -105,10 +104,11 @@ void run_demand::finish() {
     const bool is_short = static_cast<double>(steps_) * next * next <= most_work_at_zero;
     const int most_runs = is_short ? most_runs_at_zero : usual_runs_at_zero;
     if (repeats_) {
-        if (++runs_with_both_ >= usual_runs_at_zero && runs_with_both_ >= most_runs) {
+        constexpr int runs_by_demand = 3;
+        if (++runs_with_both_ >= runs_by_demand + most_runs) {
             repeats_ = false;
             ended(at_zero_->of, at_zero_->reason);
-        } else if (runs_with_both_ > 1) {
+        } else if (runs_with_both_ > runs_by_demand) {
             twice_the_bits(at_zero_->of);
         }
         return;

@@ -11,6 +11,10 @@ namespace libration::ode {
 
 namespace {
 
+// log2 of the growth of the radii over a step up to which theorem G is used: beyond it, as on the long steps of
+// polynomial solutions, its bounds for all of a piece say nothing of the distances in it.
+constexpr double most_growth_of_step = 32;
+
 // Products of series on the tape of a form, by the operations of its right-hand sides.
 std::size_t products_of(const polynomial_form& of) {
     std::size_t count = 1;
@@ -99,8 +103,8 @@ next_step method_choice::next_by_series(const flow_state& from, const ball& rest
             return made;
         }
     }
-    return from.set.errors.columns().empty() ? next_with_columns(in_columns(from), rest)
-                                             : next_with_columns(from, rest);
+    return of_box_ && from.set.errors.columns().empty() ? next_with_columns(in_columns(from), rest)
+                                                        : next_with_columns(from, rest);
 }
 
 // Instead of it nothing, and by_box_ is false, if theorem V is to continue.
@@ -113,8 +117,8 @@ next_step method_choice::next_by_box(const flow_state& from, const ball& rest) {
     }
     const bool may_change = route_.integrator == integrator_choice::automatic;
     next_step made = may_change && costs_.prefers_columns(as_double(rest)) ? next_step{} : box_->next(from, rest);
-    const bool fails = !made.made && made.why != stop::precision && form_.given <= most_unknowns_with_columns;
-    if (may_change && fails) {
+    const bool fails = made.made ? box_->growth() > most_growth_of_step : made.why != stop::precision;
+    if (may_change && fails && form_.given <= most_unknowns_with_columns) {
         by_box_ = series_begun_ = false;
         return {};
     }
@@ -147,8 +151,9 @@ next_step method_choice::or_collocation(next_step by_series, const ball& rest) {
     }
     const flow_state& from = made.from();
     const magnitude length(made.length());
-    if (auto first = from.set.errors.columns().empty() ? collocation_.first(cost_, in_columns(from), length, rest)
-                                                       : collocation_.first(cost_, from, length, rest)) {
+    if (auto first = of_box_ && from.set.errors.columns().empty()
+                         ? collocation_.first(cost_, in_columns(from), length, rest)
+                         : collocation_.first(cost_, from, length, rest)) {
         return {std::move(first), stop::none};
     }
     return by_series;

@@ -6,7 +6,7 @@
 namespace libration::ode {
 
 /// From so many unknowns on, with their lower derivatives, the steps of a proof begin with theorem G.
-inline constexpr std::size_t least_unknowns_of_box = 10;
+inline constexpr std::size_t least_unknowns_of_box = 20;
 /// From so many on, theorem V is not considered: its set-up takes longer than the integration by theorem G.
 inline constexpr std::size_t most_unknowns_with_columns = 120;
 
