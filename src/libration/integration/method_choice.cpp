@@ -11,10 +11,6 @@ namespace libration::ode {
 
 namespace {
 
-// log2 of the growth of the radii over a step up to which theorem G is used: beyond it, as on the long steps of
-// polynomial solutions, its bounds for all of a piece say nothing of the distances in it.
-constexpr double most_growth_of_step = 32;
-
 // Products of series on the tape of a form, by the operations of its right-hand sides.
 std::size_t products_of(const polynomial_form& of) {
     std::size_t count = 1;
@@ -117,8 +113,8 @@ next_step method_choice::next_by_box(const flow_state& from, const ball& rest) {
     }
     const bool may_change = route_.integrator == integrator_choice::automatic;
     next_step made = may_change && costs_.prefers_columns(as_double(rest)) ? next_step{} : box_->next(from, rest);
-    const bool fails = made.made ? box_->growth() > most_growth_of_step : made.why != stop::precision;
-    if (may_change && fails && form_.given <= most_unknowns_with_columns) {
+    const bool fails = !made.made && made.why != stop::precision && form_.given <= most_unknowns_with_columns;
+    if (may_change && fails) {
         by_box_ = series_begun_ = false;
         return {};
     }
