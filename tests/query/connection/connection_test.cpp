@@ -131,8 +131,7 @@ TEST_CASE("limits that are refused, with the reason", "[ode][proved]") {
         return std::string("no refusal");
     };
     // No equilibrium at 3.14159, nor at 2.
-    CHECK_THAT(refusal("x'' = -sin(x); x(0) = 0; x(inf) = 3.14159", {"x'(0)"}),
-               Catch::Contains("limit of a constant"));
+    CHECK_THAT(refusal("x'' = -sin(x); x(0) = 0; x(inf) = 3.14159", {"x'(0)"}), Catch::Contains("limit of a constant"));
     // A stable node: every solution tends there.
     CHECK_THAT(refusal("y'' = -3*y' - 2*y; y(0) = 1; y(inf) = 0", {"y'(0)"}), Catch::Contains("too many"));
     CHECK_THAT(refusal("u'' + c*u' + u*(1-u) = 0; u(-inf) = 1; u(inf) = 0", {"c=3"}), Catch::Contains("too many"));
