@@ -71,6 +71,7 @@ FAULTS = [
     *in_file(
         "src/libration/integration/box/box_rule.cpp", [BOXES],
         ("slopes of the middle alone", "zero[i] ? box[i] : widened(box[i], tube[i])", "box[i]"),
+        ("radii beyond their tube", "within = within && (zero[i] || found->most[i] < tube[i]);", ""),
         ("an unknown taken for 0 that is not",
          "leaves = leaves || (zero[i] && !vanishing[i]);\n        zero[i] = zero[i] && vanishing[i];", ""),
     ),

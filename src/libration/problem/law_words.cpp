@@ -193,7 +193,7 @@ answer singularities_of_law(const ode::coefficient_law& law, const std::string& 
     result.notes = {
         {"law", "for all n >= " + std::to_string(first) + ": " + words_of_shift(law) + main_words(law, printed)},
         {"error", reduced},
-        {"proved", "of " + name + ", continued from the initial point, these are all singularities in |t - t0| <= " +
+        {"proved", "of " + name + ", continued along rays from the initial point, these are all singularities in |t - t0| <= " +
                        rho + ": " + std::to_string(count) + ", by " + std::to_string(law.discs()) + " discs in " +
                        std::to_string(law.charts()) + (law.charts() == 1 ? " chart" : " charts") +
                        "; the law holds for every n from " + std::to_string(first) + " on" + stride}};

@@ -160,6 +160,24 @@ TEST_CASE("box: a wide box in which a solution ends is not enclosed") {
                          fraction(1, 1)));
 }
 
+TEST_CASE("box: a box is not enclosed beyond the end of solutions that leave its tube within a piece") {
+    // About x = y = c only z limits the steps, to some hundreds. From y = c + v, x is c + sqrt(v) tan(sqrt(v) t), for
+    // v = 2^-10 up to t = 16 pi.
+    constexpr long c = 1'000'000;
+    const auto at = [&](const number& time) {
+        return enclosed(
+            "x' = (x - 1000000)^2 + (y - 1000000); y' = 0; z' = -z/1000; x(0) = 1000000; y(0) = 1000000; z(0) = 1",
+            {ball(c), around(c, 1, -10), ball(1)}, time);
+    };
+    CHECK_FALSE(at(fraction(100, 1)));
+    CHECK_FALSE(at(fraction(-100, 1)));
+    const auto before = at(fraction(2, 1));
+    REQUIRE(before);
+    const precision_scope scope(60);
+    CHECK(contains(before->front(), ball(c) + tan(ball(1) / 16) / 32));
+    CHECK(contains(before->front(), ball(c) - tanh(ball(1) / 16) / 32));
+}
+
 TEST_CASE("box: the derivative of the flow is not carried") {
     const explicit_system system = system_of("x' = y; y' = -x; x(0) = 1; y(0) = 0");
     proved_march march(system, 100, {}, run_bits::usual_error_bits, by_comparison());

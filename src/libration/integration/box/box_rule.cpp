@@ -27,7 +27,7 @@ constexpr unsigned long growth_of_step = 8;
 // How often a step is halved on which no r < R is found.
 constexpr int most_halvings_of_step = 12;
 
-// Leaves out of the unknowns that stay 0 those whose right-hand side does not vanish; whether there are any.
+// Removes unknowns whose right-hand side does not vanish from those that stay 0. Returns whether there were any.
 bool leaves_zero(std::vector<bool>& zero, const std::vector<bool>& vanishing) {
     bool leaves = false;
     for (std::size_t i = 0; i < zero.size(); ++i) {
@@ -241,7 +241,9 @@ std::optional<grown_radii> box_rule::over_piece(const box_series& series, const 
             continue;
         }
         for (std::size_t i = 0; slopes && i < zero.size(); ++i) {
-            zero[i] ? slopes->clear_row(i) : void();
+            if (zero[i]) {
+                slopes->clear_row(i);
+            }
         }
         auto found = slopes ? grown(*slopes, start, on.length, weights_) : std::nullopt;
         if (!found) {

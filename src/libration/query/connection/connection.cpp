@@ -171,24 +171,25 @@ private:
         const std::size_t stable = map_.right().variables();
         if (map_.left_variables() > 2) {
             throw error(error_kind::undecided, error_subject::conditions, "",
-                        "start on an unstable manifold of dimension " + std::to_string(map_.left_variables()) +
+                        "has a first end with an unstable manifold of dimension " +
+                            std::to_string(map_.left_variables()) +
                             ", and only 1 and 2 are supported: exchange the ends, by t -> -t");
         }
         if (map_.has_two_ends() && map_.left_variables() == 0) {
             throw error(error_kind::argument, error_subject::conditions, "",
-                        "start at an equilibrium that no solution leaves: exchange the limits");
+                        "begins at an equilibrium that no solution leaves: exchange the limits");
         }
         if (stable == 0) {
             throw error(
                 error_kind::argument, error_subject::conditions, "",
-                "are the limits of an equilibrium without a direction of exponential decay: choose other limits");
+                "has the limits of an equilibrium without a direction of exponential decay: choose other limits");
         }
         const std::size_t others = map_.coordinates() + stable + (map_.has_two_ends() ? map_.left_variables() - 1 : 0);
         const std::size_t n = map_.dimension();
         if (others >= n) {
             throw error(
                 error_kind::argument, error_subject::unknowns, "",
-                "are too many: solutions with these limits are found for every value of them, since " +
+                "has too many names: solutions with these limits are found for every value of them, since " +
                     count_of(stable, "exponentially decaying direction") + " of " + std::to_string(n) +
                     " lead there: leave out the unknowns, ask for another limit, or, along the fastest directions "
                     "alone, write fast after the limit");

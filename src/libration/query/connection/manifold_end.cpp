@@ -5,6 +5,7 @@
 
 #include "../../algebra/dense_matrix.hpp"
 #include "libration/scalar/ball/predicates.hpp"
+#include "libration/scalar/error.hpp"
 
 namespace libration::ode {
 
@@ -43,14 +44,19 @@ manifold_end::manifold_end(const first_order_form& form, const polynomial_form& 
       tape_(tape::about_points(lifted.system)) {
     numbers_.insert(numbers_.end(), rest_.coordinates.begin(), rest_.coordinates.end());
     centres_ = rest_.values;
+    const auto at_rest = [&](const expression& leaf) -> std::optional<expression> {
+        const auto place = std::ranges::find_if(lifted.leaves, [&](const expression& l) { return same_form(l, leaf); });
+        return place == lifted.leaves.end()
+                   ? std::nullopt
+                   : std::optional(centres_[static_cast<std::size_t>(place - lifted.leaves.begin())]);
+    };
     for (const expression& each : lifted.added) {
-        centres_.push_back(replaced(each, [&](const expression& leaf) -> std::optional<expression> {
-            const auto place =
-                std::ranges::find_if(lifted.leaves, [&](const expression& l) { return same_form(l, leaf); });
-            return place == lifted.leaves.end()
-                       ? std::nullopt
-                       : std::optional(centres_[static_cast<std::size_t>(place - lifted.leaves.begin())]);
-        }));
+        try {
+            centres_.push_back(replaced(each, at_rest));
+        } catch (const error&) {  // a division by an exact 0, a function outside its domain
+            throw error(error_kind::undecided, error_subject::problem, "",
+                        "has a polynomial form without a value at these limits, where theorem W does not apply");
+        }
     }
     for (std::size_t k = 0; k < centres_.size(); ++k) {
         const bool constant =
