@@ -15,7 +15,7 @@
 #include "../integration/closed_form/constant_solution.hpp"
 #include "../integration/closed_form/linear_flow.hpp"
 #include "libration/digits/precision_loop.hpp"
-#include "libration/integration/least_step.hpp"
+#include "libration/integration/step_limits.hpp"
 #include "libration/query/states.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/printed_number.hpp"

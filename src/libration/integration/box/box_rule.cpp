@@ -5,7 +5,7 @@
 
 #include "../../expansion/set_values.hpp"
 #include "libration/expansion/step_pieces.hpp"
-#include "libration/integration/least_step.hpp"
+#include "libration/integration/step_limits.hpp"
 #include "libration/integration/taylor/taylor_march.hpp"
 #include "libration/scalar/error.hpp"
 
@@ -13,9 +13,6 @@ namespace libration::ode {
 
 namespace {
 
-constexpr long most_box_steps = 10'000'000;
-// The errors added by a step are this number of bits below the box: 2^16 steps add as much as its width.
-constexpr long bits_below_the_box = 20;
 // The precision of the slopes.
 constexpr long bits_of_slopes = 64;
 // log2 of the number of pieces of a step; and of the growth of the radii on one before a second trial of R.
@@ -93,7 +90,7 @@ next_step box_rule::next(const flow_state& from, const ball& rest) {
     for (const long each : scales_.exponents()) {
         weights_.push_back(magnitude::of(1, each));
     }
-    const double wanted = scales_.longest(*tail_, now_->bits, bits_below_the_box);
+    const double wanted = scales_.longest(*tail_, now_->bits, usual_bits_below_set);
     const int direction = arb_is_negative(rest.handle()) != 0 ? -1 : 1;
     // Of 16 bits, so that the ends of the pieces are exact.
     magnitude length = power_of_two(log_of(std::min(
@@ -102,7 +99,7 @@ next_step box_rule::next(const flow_state& from, const ball& rest) {
     const magnitude least =
         magnitude(distance_between(from.time, origin_)) * magnitude::of(1, log2_of_least_step(bits_.bits));
     for (int halving = 0; halving <= most_halvings_of_step; ++halving) {
-        if (steps_ >= most_box_steps || length <= least) {
+        if (steps_ >= most_series_steps || length <= least) {
             break;
         }
         if (add_pieces(*series, from.time, length, direction)) {
@@ -137,7 +134,8 @@ bool box_rule::loses_a_decaying_unknown(const std::vector<ball>& centre) {
 
 void box_rule::make_expansion() {
     const long usual = run_bits::usual_error_bits;
-    const long bits = std::clamp(scales_.accuracy(bits_.bits) + bits_below_the_box, usual, std::max(bits_.bits, usual));
+    const long bits =
+        std::clamp(scales_.accuracy(bits_.bits) + usual_bits_below_set, usual, std::max(bits_.bits, usual));
     if (!now_ || bits > now_->bits || now_->bits > bits + bits / 8 + 16) {
         const long some_more = std::min(bits_.bits, bits + bits / 16);
         const precision_scope scope(decimal_digits(some_more));

@@ -5,16 +5,13 @@
 
 #include "../../expansion/set_values.hpp"
 #include "libration/expansion/step_pieces.hpp"
-#include "libration/integration/least_step.hpp"
+#include "libration/integration/step_limits.hpp"
 #include "libration/integration/taylor/taylor_march.hpp"
 
 namespace libration::ode {
 
 namespace {
 
-constexpr long most_series_steps = 10'000'000;
-// The errors added by a step are this number of bits below the set: 2^16 steps add as much as its width.
-constexpr long bits_below_the_set = 20;
 // The bits of the error map that its truncation need not preserve.
 constexpr long bits_below_truncation = 40;
 // log2 of the factor by which the error map shortens a step that justifies more terms.
@@ -101,7 +98,7 @@ next_step taylor_rule::next(const flow_state& from, const ball& rest) {
     // A contracting map may need more bits.
     const long bits = bits_.error_bits + static_cast<long>(2 * growth - bits_to_lose);
     if (bits > set_bits_) {
-        set_bits_ = bits + bits_below_the_set;
+        set_bits_ = bits + usual_bits_below_set;
         if (!expand_set()) {
             return {{}, end_without_bounds()};
         }
@@ -131,7 +128,8 @@ stop taylor_rule::end_without_bounds() const {
 
 void taylor_rule::make_expansions() {
     const long usual = run_bits::usual_error_bits;
-    const long bits = std::clamp(scales_.accuracy(bits_.bits) + bits_below_the_set, usual, std::max(bits_.bits, usual));
+    const long bits =
+        std::clamp(scales_.accuracy(bits_.bits) + usual_bits_below_set, usual, std::max(bits_.bits, usual));
     if (!now_ || bits > now_->bits || now_->bits > bits + bits / 8 + 16 || now_->of_set.order() != set_order_) {
         const long some_more = std::min(bits_.bits, bits + bits / 16);
         const precision_scope scope(decimal_digits(some_more));
@@ -207,7 +205,7 @@ std::shared_ptr<taylor_series> taylor_rule::made_series() const {
 double taylor_rule::wanted_length(double& growth) {
     const variation_places places{lifted_.given, lifted_.leaves.size()};
     const auto wanted = static_cast<double>(bits_below_truncation - bits_.error_bits);
-    const double of_centre = scales_.longest(*tail_, now_->bits, bits_below_the_set);
+    const double of_centre = scales_.longest(*tail_, now_->bits, usual_bits_below_set);
     const double at_first = std::min(of_centre, longest_for_map(*set_tail_, scales_, places, wanted));
     growth = growth_of_terms(now_->of_set, scales_, places, at_first);
     const double of_set = longest_for_map(*set_tail_, scales_, places, wanted - growth);

@@ -1,4 +1,4 @@
-// The shortest step of Taylor series in a proof.
+// The limits of steps of Taylor series in a proof.
 #pragma once
 
 #include <algorithm>
@@ -10,5 +10,11 @@ namespace libration::ode {
 /// as the bits suffice. Before a singularity in real time, where steps become shorter without end, each bit costs five
 /// steps.
 constexpr long log2_of_least_step(long bits) { return -std::clamp(bits / 2, 40L, 160L); }
+
+/// Steps of one integration, at most.
+inline constexpr long most_series_steps = 10'000'000;
+
+/// The errors that a step adds are this number of bits below the set: 2^16 steps add as much as its width.
+inline constexpr long usual_bits_below_set = 20;
 
 }  // namespace libration::ode
