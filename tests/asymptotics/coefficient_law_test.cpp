@@ -64,6 +64,9 @@ TEST_CASE("poles: the law contains all coefficients of the recurrence", "[asympt
     check_against_fractions("y'' = 2*y^3 + t*y + 1/3; y(0) = 1; y'(0) = -1/2", all, 20);
     check_against_fractions("x'' = -x^3; x(0) = 1; x'(0) = 1/2", all, 10);
     check_against_fractions("y'' = 6*y^2 - 1/2; y(0) = 1/5; y'(0) = -1/3", all, 8);
+    // sn, by an equation along the solution whose linear coefficient is from the third derivative, since sn(0) = 0
+    check_against_fractions("x' = y*z; y' = -x*z; z' = -x*y/4; x(0) = 0; y(0) = 1; z(0) = 1", {0, 1, 2, 3, 7, 61, 131},
+                            10);
 }
 
 TEST_CASE("branch points: the law contains the coefficients of the recurrence", "[asymptotics][proved]") {

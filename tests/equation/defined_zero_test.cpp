@@ -10,6 +10,7 @@
 
 #include "libration/equation/text/parse.hpp"
 #include "libration/integration/taylor/batch_march.hpp"
+#include "libration/manifold/reduced_field.hpp"
 #include "libration/query/limit.hpp"
 #include "libration/query/states.hpp"
 #include "libration/query/trajectory.hpp"
@@ -218,6 +219,15 @@ TEST_CASE("limits of constant solutions are their values", "[ode][proved][limit]
          {"x' = -x + 0*log(x - 1/4)", "x' = -x*(x - 1/4)/(x - 1/4)", "x' = log(x - 1/4) - x - log(x - 1/4)"}) {
         CAPTURE(each);
         CHECK_THROWS_WITH(limit_of(each + "; x(0) = 1/2"), Contains("exist up to 0.693147180"));
+    }
+}
+
+TEST_CASE("derivatives of a field have no value where the field has none", "[ode][proved][limit]") {
+    for (const std::string each : {"x' = -x + 0*log(x - 1/4)", "x' = log(x - 1/4) - x - log(x - 1/4)"}) {
+        CAPTURE(each);
+        const reduced_field f(explicit_system(parse(each + "; x(0) = 1/2")));
+        CHECK(is_finite(f.derivative({ball(1)})(0, 0)));
+        CHECK_FALSE(is_finite(f.derivative({ball(0)})(0, 0)));
     }
 }
 

@@ -20,20 +20,21 @@ std::unique_ptr<examined_list> examined(std::span<const mpfr> b, coefficient_cla
     return found;
 }
 
-std::unique_ptr<examined_list> examined_with_cuts(std::span<const mpfr> b, coefficient_class of, double noise,
-                                                  const task_runner& run) {
-    std::unique_ptr<examined_list> whole;
+std::unique_ptr<examined_list> with_cuts(std::unique_ptr<examined_list> whole, std::span<const mpfr> b,
+                                         coefficient_class of, double noise, const task_runner& run) {
     const double last = static_cast<double>(b.size()) - 1;
-    for (const double part : {1.0, 0.8, 0.62, 0.48, 0.37, 0.28}) {
+    if (whole->family.is_exact() && !whole->family.has_exact_root()) {
+        return whole;
+    }
+    for (const double part : {0.8, 0.62, 0.48, 0.37, 0.28}) {
         const auto kept = static_cast<std::size_t>(std::lround(part * last)) + 1;
-        if (whole && kept < fewest_coefficients) {
+        if (kept < fewest_coefficients) {
             break;
         }
         auto found = examined(b.first(kept), of, noise, run);
         if (!found->strong.empty()) {
             return found;
         }
-        whole = whole ? std::move(whole) : std::move(found);
     }
     return whole;
 }

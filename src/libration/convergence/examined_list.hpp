@@ -23,8 +23,9 @@ struct examined_list {
 std::unique_ptr<examined_list> examined(std::span<const mpfr> b, coefficient_class of, double noise,
                                         const task_runner& run);
 
-/// The whole list, or the longest of its first 80, 62, 48, 37 and 28 % with a cluster that counts; otherwise the whole list.
-std::unique_ptr<examined_list> examined_with_cuts(std::span<const mpfr> b, coefficient_class of, double noise,
-                                                  const task_runner& run);
+/// `whole`, a list without a cluster that counts, or the longest of its first 80, 62, 48, 37 and 28 % that has one. An
+/// exact equation without singularities has none in its parts either.
+std::unique_ptr<examined_list> with_cuts(std::unique_ptr<examined_list> whole, std::span<const mpfr> b,
+                                         coefficient_class of, double noise, const task_runner& run);
 
 }  // namespace libration::convergence

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "amplitude.hpp"
@@ -39,19 +40,21 @@ public:
         }
         const auto growth = size_growth_of(b_);
         gamma_ = growth ? growth->gamma : 0;
-        const auto examined = examine ? examined_with_cuts(b_, class_, list_.noise, run_) : nullptr;
-        const bool strong = examined && !examined->strong.empty();
+        auto by = examine ? examined(b_, class_, list_.noise, run_) : nullptr;
+        if (by && by->strong.empty()) {
+            if (sharpest_transform() && transform_->uncertainty <= finest_uncertainty) {
+                take_factorial_growth(false);
+                return std::move(found_);
+            }
+            by = with_cuts(std::move(by), b_, class_, list_.noise, run_);
+        }
+        const bool strong = by && !by->strong.empty();
         if (strong) {
-            take(*examined);
+            take(*by);
         }
-        if (strong && (relative_uncertainty() < 0.03 || std::abs(gamma_) < 0.15)) {
-            return std::move(found_);
-        }
-        if (examine && take_factorial_growth(strong)) {
-            return std::move(found_);
-        }
-        if (!strong) {
-            take_growth_alone(examined.get());
+        const bool decided = strong && (relative_uncertainty() < 0.03 || std::abs(gamma_) < 0.15);
+        if (!decided && !(examine && take_factorial_growth(strong)) && !strong) {
+            take_growth_alone(by.get());
         }
         return std::move(found_);
     }
@@ -227,15 +230,18 @@ private:
         }
     }
 
-    // The Borel transform of order s whose singularity is the sharpest. It replaces a radius only if it is two digits
-    // sharper than that.
-    bool take_factorial_growth(bool has_radius) {
-        if (std::abs(gamma_) <= 0.12) {
-            return false;
+    struct borel_transform {
+        std::unique_ptr<examined_list> list;
+        rational order;
+        double uncertainty, score;
+    };
+
+    // The Borel transform with the sharpest singularity; the score is the number of digits of its position.
+    const std::optional<borel_transform>& sharpest_transform() {
+        if (transforms_seen_ || std::abs(gamma_) <= 0.12) {
+            return transform_;
         }
-        double best_score = 0;
-        std::unique_ptr<examined_list> best;
-        rational best_order;
+        transforms_seen_ = true;
         for (const rational& order : gevrey_orders_near(gamma_)) {
             const rational s = gamma_ > 0 ? order : rational(-order);
             auto found =
@@ -246,17 +252,24 @@ private:
             const placed_cluster at = placed(*found->strong.front());
             const double uncertainty = std::max(at.uncertainty, finest_uncertainty);
             const double score = -std::log10(uncertainty) + 0.3 * std::log10(at.consensus().share);
-            if (!best || score > best_score + 0.5) {
-                best_score = score;
-                best = std::move(found);
-                best_order = s;
+            if (!transform_ || score > transform_->score + 0.5) {
+                transform_ = borel_transform{std::move(found), s, uncertainty, score};
+            }
+            if (uncertainty <= finest_uncertainty) {
+                break;
             }
         }
-        if (!best || (has_radius && -std::log10(relative_uncertainty()) >= best_score - 2)) {
-            return false;
+        return transform_;
+    }
+
+    // It replaces a radius only if it is two digits sharper than that.
+    bool take_factorial_growth(bool has_radius) {
+        const auto& best = sharpest_transform();
+        const bool better = best && (!has_radius || -std::log10(relative_uncertainty()) < best->score - 2);
+        if (better) {
+            take_action(*best->list, best->order);
         }
-        take_action(*best, best_order);
-        return true;
+        return better;
     }
 
     void take_action(const examined_list& by, const rational& s) {
@@ -319,6 +332,8 @@ private:
     coefficient_class class_;
     double gamma_ = 0;
     bool drifts_ = false;
+    bool transforms_seen_ = false;
+    std::optional<borel_transform> transform_;
     list_verdict found_;
 };
 
