@@ -170,7 +170,7 @@ TEST_CASE("the equilibria and the separatrix have what coefficients say", "[comm
 TEST_CASE("every fixed scalar gives its verdict, also where the coefficients are far below its range",
           "[command][radius]") {
     for (const auto& [scalar, order] :
-         {std::pair("double", "1000"), std::pair("long-double", "300"), std::pair("quad", "300")}) {
+         {std::pair("double", "1000"), std::pair("long-double", "150"), std::pair("quad", "100")}) {
         INFO(scalar);
         const auto verdict = rows_of({"radius", "--energy", "1.71", "--order", order, "--scalar", scalar}).at(0);
         CHECK(number_of(verdict.at("relative_error")) < mpfr("1e-12"));

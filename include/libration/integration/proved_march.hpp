@@ -56,6 +56,8 @@ public:
     ball_matrix derivative_at(const ball& time);
 
     stop end() const { return end_; }
+    /// The given unknowns at reached() after at() returned std::nullopt; std::nullopt where no step was made.
+    std::optional<std::vector<ball>> at_end();
     /// The beginning of the last step that was read, or the time up to which the solution is proved to exist.
     const ball& reached() const { return reached_; }
     /// The steps up to there. A step of collocation counts as several.

@@ -42,7 +42,7 @@ public:
         gamma_ = growth ? growth->gamma : 0;
         auto by = examine ? examined(b_, class_, list_.noise, run_) : nullptr;
         if (by && by->strong.empty()) {
-            if (sharpest_transform() && transform_->uncertainty <= finest_uncertainty) {
+            if (sharpest_transform() && transform_->is_as_sharp_as(list_.noise)) {
                 take_factorial_growth(false);
                 return std::move(found_);
             }
@@ -234,6 +234,9 @@ private:
         std::unique_ptr<examined_list> list;
         rational order;
         double uncertainty, score;
+
+        // No other order can have a position with more digits.
+        bool is_as_sharp_as(double noise) const { return uncertainty <= std::max(finest_uncertainty, noise); }
     };
 
     // The Borel transform with the sharpest singularity; the score is the number of digits of its position.
@@ -255,7 +258,7 @@ private:
             if (!transform_ || score > transform_->score + 0.5) {
                 transform_ = borel_transform{std::move(found), s, uncertainty, score};
             }
-            if (uncertainty <= finest_uncertainty) {
+            if (transform_->is_as_sharp_as(list_.noise)) {
                 break;
             }
         }

@@ -107,6 +107,20 @@ std::optional<std::vector<ball>> proved_march::at(const ball& target) {
     return std::nullopt;
 }
 
+std::optional<std::vector<ball>> proved_march::at_end() {
+    if (end_ == stop::none || now_ == 0) {
+        return std::nullopt;
+    }
+    const precision_scope scope(decimal_digits(bits_.bits) + 20);
+    try {
+        std::size_t last = now_ - 1;
+        const auto place = steps_about(*along_, last, reached_);
+        return place ? std::optional(values_at(*place)) : std::nullopt;
+    } catch (const precision_exhausted&) {
+        return std::nullopt;
+    }
+}
+
 ball_matrix proved_march::derivative_at(const ball& time) { return ode::derivative_at(*place_of(time)); }
 
 }  // namespace libration::ode

@@ -19,6 +19,7 @@
 #include "libration/query/states.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/printed_number.hpp"
+#include "small_divisor.hpp"
 #include "time_order.hpp"
 
 namespace libration::ode {
@@ -64,13 +65,17 @@ inline std::optional<std::vector<ball>> state_at(proved_march& march, const expl
 }
 
 /// Why an integration ended before a time, unless by too few bits.
-inline std::optional<std::string> reason_of_end(const proved_march& march, bool forward) {
+inline std::optional<std::string> reason_of_end(proved_march& march, const explicit_system& system, bool forward) {
     if (march.end() == stop::precision) {
         return std::nullopt;
     }
-    return "is not reached: the solution is proved to exist up to " + proved_reach_text(march.reached(), forward) +
+    const ball reached = march.reached();
+    const auto state = march.at_end();
+    const std::string divisor = state ? small_divisor_text(system, reached, *state) : "";
+    return "is not reached: the solution is proved to exist up to " + proved_reach_text(reached, forward) +
            ", where the step size falls below its minimum, 2^" + std::to_string(log2_of_least_step(march.bits())) +
-           " of the time since the start (probably a singularity; more digits permit shorter steps)";
+           " of the time since the start (probably a singularity; more digits permit shorter steps" +
+           (divisor.empty() ? "" : "; " + divisor) + ")";
 }
 
 /// An additional request to a run besides the values.
@@ -154,7 +159,7 @@ private:
                 }
             }
             if (!state) {
-                if (const auto reason = reason_of_end(*march, forward)) {
+                if (const auto reason = reason_of_end(*march, system_, forward)) {
                     demand.ended(time, *reason);
                     ends_[forward ? 1 : 0] = place;
                 } else {

@@ -60,7 +60,7 @@ std::optional<std::vector<std::vector<ball>>> enclosed_trajectory(const explicit
         }
         auto state = state_at(*march, system, times[each.index], bits);
         if (!state) {
-            if (const auto reason = reason_of_end(*march, forward)) {
+            if (const auto reason = reason_of_end(*march, system, forward)) {
                 throw error(error_kind::undecided, error_subject::time, text_of_time(times[each.index]), *reason);
             }
             return std::nullopt;

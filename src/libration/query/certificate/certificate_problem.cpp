@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "../../equation/formula_text.hpp"
 #include "certificate_format.hpp"
 #include "certificate_limits.hpp"
 #include "libration/equation/node_values.hpp"
@@ -16,24 +17,10 @@ namespace {
 constexpr int most_certified_power = 100;
 constexpr unsigned most_exponent_bits = 1000;
 
-// How tightly the outermost operation of a text binds.
-enum class binding { sum, product, power, operand };
-
-struct formula_part {
-    std::string text;
-    binding by = binding::operand;
-
-    std::string within(binding least) const { return by < least ? "(" + text + ")" : text; }
-};
-
-formula_part text_of_fraction(const rational& q) {
-    return {q.str(), q < 0 ? binding::sum : denominator(q) == 1 ? binding::operand : binding::product};
-}
-
 // Formulas of expressions, with these names of the unknowns.
-class formula_text {
+class certified_formula {
 public:
-    formula_text(std::string variable, std::map<std::string, std::string> names)
+    certified_formula(std::string variable, std::map<std::string, std::string> names)
         : variable_(std::move(variable)), names_(std::move(names)) {}
 
     std::string of(const expression& whole) const {
@@ -57,11 +44,9 @@ private:
             case node_kind::variable: return {variable_};
             case node_kind::unknown:
             case node_kind::parameter: return {names_.at(primed(e.name(), e.derivative()))};
-            case node_kind::sum: return sum(done.at(e.left()), done.at(e.right()));
-            case node_kind::product: return product(e, done.at(e.left()), done.at(e.right()));
-            case node_kind::quotient:
-                return {done.at(e.left()).within(binding::product) + "/" + done.at(e.right()).within(binding::power),
-                        binding::product};
+            case node_kind::sum:
+            case node_kind::product:
+            case node_kind::quotient: return text_of_arithmetic(e, done.at(e.left()), done.at(e.right()));
             case node_kind::power: return power(done.at(e.left()), e.right());
             case node_kind::function: break;
         }
@@ -77,21 +62,6 @@ private:
         return text_of_fraction(*q);
     }
 
-    static formula_part sum(const formula_part& a, const formula_part& b) {
-        const bool minus = b.text.starts_with('-');
-        return {a.text + (minus ? " - " + b.text.substr(1) : " + " + b.text), binding::sum};
-    }
-
-    static formula_part product(const expression& e, const formula_part& a, const formula_part& b) {
-        const std::string right = b.within(binding::product);
-        if (e.left().is(-1)) {
-            return {"-" + right, binding::sum};
-        }
-        const bool negative = e.left().kind() == node_kind::constant && a.text.starts_with('-');
-        return {(negative ? a.text : a.within(binding::product)) + "*" + right,
-                negative ? binding::sum : binding::product};
-    }
-
     static formula_part power(const formula_part& base, const expression& exponent) {
         const formula_part by = text_of_constant(exponent);
         const rational r = abs(*exponent.fraction());
@@ -101,7 +71,7 @@ private:
                                    ", and these equations have ^" + by.text.substr(0, 20),
                                "write it as a product of powers, or leave the certificate out");
         }
-        return {base.within(binding::operand) + "^" + by.within(binding::operand), binding::power};
+        return text_of_power(base, by);
     }
 
     static formula_part function(const expression& e, const formula_part& argument) {
@@ -189,7 +159,7 @@ std::string problem_of_certificate(const explicit_system& system, const polynomi
     for (const std::string& each : state) {
         names.emplace(each, each);
     }
-    const formula_text in_state(system.variable(), names);
+    const certified_formula in_state(system.variable(), names);
     std::string text = "variable " + system.variable() + "\nat " + point->str() + "\n";
     for (std::size_t i = 0; i < system.unknowns().size(); ++i) {
         const unknown_function& each = system.unknowns()[i];
@@ -218,7 +188,7 @@ std::string problem_of_certificate(const explicit_system& system, const polynomi
     for (std::size_t k = 0; k < form.leaves.size(); ++k) {
         names.emplace(form.leaves[k].name(), k < given.size() ? given[k] : "_" + std::to_string(k - form.given + 1));
     }
-    const formula_text in_form(system.variable(), names);
+    const certified_formula in_form(system.variable(), names);
     for (std::size_t k = 0; k < form.added.size(); ++k) {
         text += "define _" + std::to_string(k + 1) + " = " + in_form.of(form.added[k]) + "\n";
     }

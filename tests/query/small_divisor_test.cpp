@@ -1,0 +1,37 @@
+// What the refusal of a solution that ends states to be nearly 0.
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "libration/equation/text/parse.hpp"
+#include "libration/query/states.hpp"
+#include "libration/scalar/error.hpp"
+
+namespace query_small_divisor_test {
+
+using namespace libration;
+using namespace libration::ode;
+using Catch::Contains;
+
+std::string reason_at_two(const std::string& problem) {
+    const auto part = proved_part_of_trajectory(explicit_system(parse(problem)), {number(rational(2))}, 10);
+    return part.missing ? part.missing->reason() : "";
+}
+
+// The divisor is 0 at the end of each solution: at t = pi/sqrt(8) two bodies meet that fall from rest at the distance 1.
+TEST_CASE("a divisor that is nearly 0 is stated with a bound where the solution ends", "[ode][proved]") {
+    CHECK_THAT(reason_at_two("y' = (y - sin(t))/(t - 1); y(0) = 0"), Contains("there |t - 1| <= "));
+    CHECK_THAT(
+        reason_at_two("x'' = -x/(x^2+y^2)^(3/2); y'' = -y/(x^2+y^2)^(3/2); x(0) = 1; y(0) = 0; x'(0) = 0; y'(0) = 0"),
+        Contains("exist up to 1.1107") && Contains("there |x^2 + y^2| <= "));
+    CHECK_THAT(reason_at_two("u'' = -1/(u' + 1); u(0) = 0; u'(0) = 0"), Contains("there |u' + 1| <= "));
+    CHECK_THAT(reason_at_two("y' = log(1 - t) - y; y(0) = 1"), Contains("there |-t + 1| <= "));
+}
+
+TEST_CASE("no divisor is stated where none is nearly 0", "[ode][proved]") {
+    for (const std::string each : {"y' = 1 + y^2; y(0) = 0", "y' = y^2/(2 + t); y(0) = 4"}) {
+        INFO(each);
+        CHECK_THAT(reason_at_two(each), Contains("proved to exist up to ") && !Contains("there |"));
+    }
+}
+
+}  // namespace query_small_divisor_test
