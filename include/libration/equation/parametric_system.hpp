@@ -9,8 +9,8 @@
 
 namespace libration::ode {
 
-/// A system with free parameters and initial values: each is a constant unknown function, listed among the unknowns at
-/// its first occurrence in the equations.
+/// A system with free parameters and initial values: each is a constant unknown function, listed among the unknowns in
+/// the order of equation_system::unknowns().
 struct parametric_system {
     explicit_system system;
     /// The given values of the free numbers.

@@ -31,7 +31,7 @@ public:
     /// For these unknowns and those that they depend on; for all if none is named. Throws error like explicit_system.
     explicit dependence(const equation_system& given, const std::vector<std::string>& unknowns = {});
 
-    /// The unknowns of the problem and its parameters, in the order of their first occurrence in the equations.
+    /// The unknowns of the problem and its parameters, in the order of equation_system::unknowns().
     const explicit_system& system() const { return flow_.system(); }
     /// The indices of the unknowns of the problem and their lower derivatives, in order, in the state of system().
     const std::vector<std::size_t>& own() const { return flow_.own(); }

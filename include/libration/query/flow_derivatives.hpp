@@ -31,7 +31,7 @@ public:
     opened_flow(const equation_system& given, const std::vector<std::string>& parameters,
                 const std::vector<std::string>& unknowns = {});
 
-    /// The unknowns of the problem and the parameters, in the order of their first occurrence in the equations.
+    /// The unknowns of the problem and the parameters, in the order of equation_system::unknowns().
     const explicit_system& system() const { return open_.system; }
     const first_order_form& form() const { return form_; }
     /// The indices of the unknowns of the problem and their lower derivatives, in order, in the state of system().
