@@ -72,7 +72,7 @@ std::optional<linear_equation_step> linear_equation_step::towards(const linear_e
     linear_equation_step step;
     step.length_ = to - s0;
     step.inverse_ = ball(1) / a.front();
-    // The whole way, else the largest power of 2 that is small enough.
+    // All of the distance, else the largest power of 2 that is small enough.
     for (int k = 0; k < most_halvings; ++k) {
         step.a_ = scaled_by_powers(a, step.length_, 0);
         step.b_ = scaled_by_powers(b, step.length_, 1);

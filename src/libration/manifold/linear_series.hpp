@@ -48,7 +48,7 @@ public:
                                                        double size);
 
     const ball& length() const { return length_; }
-    /// The solution with y(s0) = value, y'(s0) = slope, to the working precision, or with N = terms if that is not 0;
+    /// The solution with y(s0) = value, y'(s0) = slope, to the working precision, or with N = terms if terms > 0;
     /// std::nullopt if rho < 1 is not seen.
     std::optional<linear_series> solution(const ball& value, const ball& slope, std::size_t terms = 0) const;
 

@@ -166,7 +166,7 @@ TEST_CASE("wells that are refused, with the term", "[ode][proved]") {
     CHECK_THAT(refusal("psi'' = (x^2 - 1/(5*x^2) - E)*psi; psi(0) = 0; psi(inf) = 0"), Catch::Contains("pole"));
     CHECK_THAT(refusal("psi'' = (x^2 + 1/(x-1) - E)*psi" + ends), Catch::Contains("singular point"));
     CHECK_THAT(refusal("psi'' = (x^2 - E)*psi; psi(inf) = 0"), Catch::Contains("of the two ends"));
-    CHECK_THAT(refusal("psi'' = (x^2 - E)*psi; psi(0) = 1; psi(inf) = 0"), Catch::Contains("is one number"));
+    CHECK_THAT(refusal("psi'' = (x^2 - E)*psi; psi(0) = 1; psi(inf) = 0"), Catch::Contains("is one nonzero number"));
 }
 
 }  // namespace query_well_test

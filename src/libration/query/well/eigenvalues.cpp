@@ -57,7 +57,7 @@ void read_points(const eigenvalue_question& of, const std::string& unknown, cons
             refuse_condition(place, "and the slope there are 0, so that the solution is: give one of the two");
         }
         if (!(given.value && given.slope) && given.value.value_or(0) + given.slope.value_or(0) != 0) {
-            refuse_condition(place, "is one number that is not 0, and an eigenfunction has a factor: write " + place +
+            refuse_condition(place, "is one nonzero number, and an eigenfunction has a free factor: write " + place +
                                         " = 0, or the slope there too");
         }
         // An open one of the two is the factor.

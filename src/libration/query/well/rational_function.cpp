@@ -17,7 +17,7 @@ rational_polynomial without_leading_zeros(rational_polynomial p) {
     return p;
 }
 
-// Quotient and remainder, by a polynomial that is not 0.
+// Quotient and remainder, by a nonzero polynomial.
 std::pair<rational_polynomial, rational_polynomial> divided(rational_polynomial a, const rational_polynomial& by) {
     rational_polynomial quotient(a.size() < by.size() ? 0 : a.size() - by.size() + 1);
     for (std::size_t k = quotient.size(); k-- > 0;) {

@@ -7,7 +7,7 @@
 
 namespace libration::ode {
 
-/// Coefficients by increasing powers; the last one is not 0, and 0 is the empty list.
+/// Coefficients by increasing powers; the last one is nonzero, and 0 is the empty list.
 using rational_polynomial = std::vector<rational>;
 
 rational_polynomial sum(rational_polynomial a, const rational_polynomial& b);

@@ -32,10 +32,11 @@ public:
             }
             case node_kind::variable:
                 if (is_exponential()) {
-                    refuse_term("the variable " + variable_,
-                                "beside exponential functions of it in the potential: only polynomials, rational "
-                                "functions, and rational functions of exp(k*" +
-                                    variable_ + ") are supported");
+                    refuse_term(
+                        "the variable " + variable_,
+                        "in the potential together with exponential functions of it: only polynomials, rational "
+                        "functions, and rational functions of exp(k*" +
+                            variable_ + ") are supported");
                 }
                 return rational_function::variable();
             case node_kind::sum: return read(e.left()) + read(e.right());
@@ -50,7 +51,7 @@ public:
     }
 
 private:
-    // k of k x; refuses other arguments.
+    // k of k x; throws error for other arguments.
     rational factor_in(const expression& argument) const {
         const expression slope = partial(argument, variable());
         const auto factor = slope.fraction();
@@ -93,7 +94,7 @@ private:
         const auto exponent = e.right().fraction();
         constexpr long most = 200;
         if (!exponent || denominator(*exponent) != 1 || abs(*exponent) > most) {
-            refuse_term("a power", "whose exponent is no integer up to 200 in the potential");
+            refuse_term("a power", "in the potential whose exponent is not an integer up to 200");
         }
         return power(read(e.left()), static_cast<long>(numerator(*exponent)));
     }

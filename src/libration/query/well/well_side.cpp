@@ -135,7 +135,7 @@ ball well_side::first_point(const quotient_at& q) const {
                 "is not seen at infinity");
 }
 
-// Where the error of the slope has decreased by so many bits on the way to `from`, roughly.
+// Where the error of the slope has decreased by so many bits between there and `from`, roughly.
 ball well_side::far_point(const quotient_at& q, const ball& from, long bits) const {
     constexpr double half_of_log_two = 0.347;
     const double wanted = half_of_log_two * static_cast<double>(bits) + 1;
@@ -258,7 +258,7 @@ std::optional<end_state> well_side::carried(const linear_equation& of, ball from
                                             bool counts_zeros) const {
     const double size = counts_zeros ? size_of_counted_step
                                      : least_size_of_step + static_cast<double>(ball::working_bits()) / bits_per_size;
-    int sign = 1;  // of psi on the way
+    int sign = 1;  // of psi
     while (arb_gt(from.handle(), m_.handle()) != 0) {
         const auto step = linear_equation_step::towards(of, from, m_, size);
         const bool stands =
