@@ -1401,4 +1401,26 @@ FAULTS = [
         ("a limit that solutions beside it have too accepted", "        if (asked.exponentially ||",
          "        if (!asked.text.empty() ||"),
     ),
+    *in_file(
+        "src/libration/manifold/linear_series.cpp", ["manifold/linear_series_test.cpp"],
+        ("the tail of a linear equation's series forgotten", "result.tail_ = w * quotient * last;", "result.tail_ = magnitude();"),
+        ("the tail of its derivative forgotten", "return widened(sum, slope_tail_) / length_;", "return sum / length_;"),
+    ),
+    *in_file(
+        "src/libration/manifold/regular_solution.cpp", ["manifold/linear_series_test.cpp"],
+        ("the tail at a regular singular point forgotten", "widened(value, tail), ", "value, "),
+    ),
+    *in_file(
+        "src/libration/query/well/zero_count.cpp", ["query/well/eigenvalues_test.cpp"],
+        ("zeros in monotonic parts not counted", "after == sign ? 0 : 1;", "0;"),
+    ),
+    *in_file(
+        "src/libration/query/well/well_problem.cpp", ["query/well/eigenvalues_test.cpp"],
+        ("eigenvalues counted by the zeros alone", "? zeros : zeros + 1;", "? zeros : zeros;"),
+    ),
+    *in_file(
+        "src/libration/query/well/well_side.cpp", ["query/well/eigenvalues_test.cpp"],
+        ("a pole that both solutions meet with 0 accepted", "rational(above.front() / below.front()) > 0);",
+         "rational(above.front() / below.front()) > -1);"),
+    ),
 ]

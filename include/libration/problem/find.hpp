@@ -22,6 +22,13 @@ answer find_unknowns(const problem& of, const std::vector<std::string>& unknowns
                      const std::vector<std::string>& conditions, const request& how,
                      const std::vector<std::string>& without_guess = {});
 
+/// The first eigenvalues E, `count` of them, of psi'' = (V - c E) psi with conditions at two ends, of which psi(inf) = 0 and psi(-inf) = 0 are `limits`
+/// (ode::proved_eigenvalues): name and value, a row E_n for each, n the number of zeros of the eigenfunction, and the notes
+/// "proved" and, for a value that is not distinguished from 0, its bound. answer::missing is set if there are fewer below the continuous
+/// spectrum. With request.check and callbacks as above.
+answer find_eigenvalues(const problem& of, const std::string& energy, const std::vector<std::string>& limits,
+                        long count, const request& how);
+
 /// The values of a parameter or an initial value along which a branch is followed, as typed, at least two in one
 /// direction.
 struct branch_values {

@@ -149,8 +149,11 @@ const rules asymptotics_rules{{"", "!--problem", "no problem is given", add_prob
 const rules find_rules{
     {"", "!--problem", "no problem is given", add_problem},
     {"--periodic", "--unknown", "is given together with --unknown", leave_one},
-    {"", "!--periodic|--unknown", "nothing to find is given",
-     "add --unknown S --such-that \"f'(5) = 1\", or --periodic"},
+    {"--eigenvalue", "--periodic|--unknown", "is given together with --periodic or --unknown", leave_one},
+    {"--count", "!--eigenvalue", "requires --eigenvalue", "add --eigenvalue E, or leave it out"},
+    {"--along --guess --certificate", "--eigenvalue", "is not supported with --eigenvalue", "leave it out"},
+    {"", "!--periodic|--unknown|--eigenvalue", "nothing to find is given",
+     "add --unknown S --such-that \"f'(5) = 1\", --eigenvalue E, or --periodic"},
     {"--along", "!--unknown", "is given without --unknown", "add --unknown S --such-that \"f'(5) = 1\""},
     {"--guess", "!--unknown", "is given without --unknown", "use --set for the initial point of --periodic"},
     {"--such-that", "--periodic", "is given together with --periodic", leave_one},

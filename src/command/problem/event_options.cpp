@@ -13,15 +13,6 @@ namespace {
 constexpr int most_events = 100'000;
 constexpr int most_steps = 10'000'000;
 
-int positive_count(const char* option, const std::string& value, int most, const char* of_what) {
-    const std::string remedy = fmt::format("write a number of {}, 1 or more", of_what);
-    const int count = reading(option, value, remedy, [&] { return read_count(value, most); });
-    if (count == 0) {
-        throw input_error(option, value, "is less than 1", remedy);
-    }
-    return count;
-}
-
 ode::crossing way_of(const std::string& word) {
     if (word != "up" && word != "down") {
         throw input_error("--crossing", word, "is not a direction", "write up or down, or leave it out");
@@ -38,6 +29,15 @@ ode::number read_end(const std::string& before) {
 }
 
 }  // namespace
+
+int positive_count(const char* option, const std::string& value, int most, const char* of_what) {
+    const std::string remedy = fmt::format("write a number of {}, 1 or more", of_what);
+    const int count = reading(option, value, remedy, [&] { return read_count(value, most); });
+    if (count == 0) {
+        throw input_error(option, value, "is less than 1", remedy);
+    }
+    return count;
+}
 
 void event_options::add_to(CLI::App& command) {
     command.add_option("--until", until_, "with --problem: the times at which a condition holds, e.g. \"x' = 0\"")

@@ -13,6 +13,9 @@
 
 namespace libration {
 
+/// The value of an option for a number of things, from 1 to `most`. Throws input_error.
+int positive_count(const char* option, const std::string& value, int most, const char* of_what);
+
 /// --until "x = 0" and the options that depend on it: --count, --crossing, --before, --from-start, --horizon, --how-many.
 class event_options {
 public:

@@ -59,8 +59,8 @@ std::string with_statement(const std::string& words, const std::string& statemen
     return shown ? words + "; " + statement : statement;
 }
 
-// Throws input_error for parameters and initial values that neither the text nor --set gives.
-void require_values(const ode::equation_system& system, const std::string& words) {
+// Throws input_error for parameters that neither the text nor --set gives.
+void require_parameters(const ode::equation_system& system, const std::string& words) {
     if (!system.open.empty()) {
         const ode::open_parameter& open = system.open.front();
         throw input_error(fmt::format(
@@ -69,6 +69,11 @@ void require_values(const ode::equation_system& system, const std::string& words
             quotation(open.name), open.at.line, open.at.column, open.name,
             with_statement(words, open.name + " = NUMBER")));
     }
+}
+
+// The same for parameters and initial values.
+void require_values(const ode::equation_system& system, const std::string& words) {
+    require_parameters(system, words);
     const auto is_delayed = [&](const std::string& name) {
         return std::ranges::find(system.histories, name, &ode::history::unknown) != system.histories.end() ||
                std::ranges::any_of(system.delays, [&](const auto& each) { return each.of.name() == name; });
@@ -232,7 +237,7 @@ void problem_options::warn_of_unused(const std::string& written) const {
     }
 }
 
-ode::equation_system problem_options::equations(
+ode::equation_system problem_options::changed_equations(
     const std::vector<std::pair<std::string, std::string>>& by_options) const {
     const std::string written = problem_named(*problem_).text;
     auto system = naming_option("--problem", [&] { return ode::parse(written); });
@@ -247,7 +252,20 @@ ode::equation_system problem_options::equations(
     for (const std::string& each : shown_) {
         system = naming_option("--show", [&] { return ode::with_column(system, each); });
     }
+    return system;
+}
+
+ode::equation_system problem_options::equations(
+    const std::vector<std::pair<std::string, std::string>>& by_options) const {
+    auto system = changed_equations(by_options);
     require_values(system, *problem_);
+    return system;
+}
+
+ode::equation_system problem_options::equations_with_open_starts(
+    const std::vector<std::pair<std::string, std::string>>& by_options) const {
+    auto system = changed_equations(by_options);
+    require_parameters(system, *problem_);
     return system;
 }
 

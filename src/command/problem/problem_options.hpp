@@ -76,6 +76,9 @@ public:
     /// The same as it is written, with the changes; other options, by their names, may give values X = VALUE to what
     /// the text leaves open.
     ode::equation_system equations(const std::vector<std::pair<std::string, std::string>>& by_options = {}) const;
+    /// The same without the requirement that all initial values are given.
+    ode::equation_system equations_with_open_starts(
+        const std::vector<std::pair<std::string, std::string>>& by_options) const;
     /// Removes the conditions at infinity, f'(inf) = 1, from the text of the problem. If there are conditions at both
     /// ends, missing initial values, which then have no effect, are set to 0.
     std::vector<std::string> take_limits();
@@ -98,6 +101,7 @@ public:
     }
 
 private:
+    ode::equation_system changed_equations(const std::vector<std::pair<std::string, std::string>>& by_options) const;
     void warn_of_unused(const std::string& written) const;
 
     const CLI::App* command_ = nullptr;

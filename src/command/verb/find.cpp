@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "found_solutions.hpp"
+#include "found_eigenvalues.hpp"
 #include "libration/number/grid.hpp"
 #include "libration/problem/find.hpp"
 #include "libration/problem/known_facts.hpp"
@@ -32,7 +32,7 @@ struct find_options {
     std::optional<std::string> digits;
     std::vector<std::string> unknowns, conditions, guesses;
     std::vector<std::string> without_guess;  // at infinity, where several values are tried
-    std::optional<std::string> along, certificate;
+    std::optional<std::string> along, certificate, eigenvalue, count;
     bool periodic = false, check = false;
 };
 
@@ -226,6 +226,11 @@ int run_find(find_options options) {
     }
     options.output.check();
     const long digits = digits_of(options.digits);
+    if (options.eigenvalue) {
+        const auto found = found_eigenvalues(
+            {*options.eigenvalue, options.count, options.conditions, digits, options.check}, options.problem);
+        return print_solutions(options, found, digits, found.solutions().front().missing);
+    }
     if (options.certificate) {
         require_output_place("--certificate", *options.certificate);
     }
@@ -316,6 +321,12 @@ subcommand find_command(CLI::App& program) {
             "of conditions y(1) = 2 at one time, or of --periodic: write a certificate that check/libration_check.py "
             "verifies independently in integer arithmetic")
         ->type_name("FILE");
+    command
+        ->add_option("--eigenvalue", options->eigenvalue,
+                     "the first eigenvalues E of psi'' = (V(x) - E)*psi with a condition at each end, as psi(-inf)=0; "
+                     "psi(inf)=0 or psi(0)=0; psi(inf)=0, all of them in increasing order")
+        ->type_name("E");
+    command->add_option("--count", options->count, "number of eigenvalues to find (default 1)")->type_name("K");
     command->add_flag("--periodic", options->periodic, "the periodic orbit near the initial values, and its period");
     command->add_flag(
         "--check", options->check,

@@ -1,0 +1,46 @@
+// Quotients of polynomials with rational coefficients.
+#pragma once
+
+#include <vector>
+
+#include "libration/scalar/ball/ball.hpp"
+
+namespace libration::ode {
+
+/// Coefficients by increasing powers; the last one is nonzero, and 0 is the empty list.
+using rational_polynomial = std::vector<rational>;
+
+rational_polynomial sum(rational_polynomial a, const rational_polynomial& b);
+rational_polynomial product(const rational_polynomial& a, const rational_polynomial& b);
+
+/// above/below without common factors; the last coefficient of `below` is 1.
+class rational_function {
+public:
+    rational_function(const rational& constant = 0) : rational_function({constant}, {1}) {}
+    /// Throws error of the subject "problem" for a denominator 0.
+    rational_function(rational_polynomial above, rational_polynomial below);
+    /// s.
+    static rational_function variable() { return {{0, 1}, {1}}; }
+
+    const rational_polynomial& above() const { return above_; }
+    const rational_polynomial& below() const { return below_; }
+    bool is_polynomial() const { return below_.size() == 1; }
+
+    friend rational_function operator+(const rational_function& a, const rational_function& b);
+    friend rational_function operator*(const rational_function& a, const rational_function& b);
+    friend rational_function operator/(const rational_function& a, const rational_function& b);
+    friend bool operator==(const rational_function& a, const rational_function& b) = default;
+    /// Of -s, and of 1/s.
+    rational_function of_negative() const;
+    rational_function of_inverse() const;
+
+private:
+    rational_polynomial above_, below_;
+};
+
+rational_function power(const rational_function& of, long n);
+
+/// The coefficients at the working precision.
+std::vector<ball> balls_of(const rational_polynomial& p);
+
+}  // namespace libration::ode
