@@ -66,6 +66,8 @@ TEST_CASE("linear equations: the law contains the coefficients of the recurrence
     // Inhomogeneous, and with a pole beside another singular point.
     check_against_recurrence("y'' = t/(1-t)*y' + 1/(1+t)^2*y + t^2; y(0) = 1/3; y'(0) = -2", 200, 30);
     check_against_recurrence("(1-t)*(3-2*t)*y' = (2-t)*y + 1; y(0) = 1", 200, 15);
+    // An exponent far below 0, -301/3.
+    check_against_recurrence("y' = 301/3*y/(1-t); y(0) = 1", 300, 30);
 }
 
 TEST_CASE("equal exponents give powers of the logarithm", "[asymptotics][proved]") {

@@ -253,8 +253,13 @@ fixed_point_terms linear_law::terms_at(std::size_t k, int least) const {
     const double length = rho_ / places_[k].modulus - 1;
     const double base = std::min(1.0, few_bits_below(distance / 2, 0));
     const double reach = std::isfinite(distance) ? part_of_distance * distance : 1.5 * std::max(1.0, length);
+    // At least up to non-negative powers.
+    double lowest = 0;
+    for (const complex_ball& each : about.exponents) {
+        lowest = std::min(lowest, rounded_midpoint(each).real());
+    }
     const series_demand demand{reach, base, static_cast<long>(ball::working_bits()) + guard_bits_of_walk,
-                               static_cast<long>(least) + 2};
+                               static_cast<long>(least - lowest) + static_cast<long>(about.exponents.size()) + 4};
     const auto more = scope_for_series(about, demand);
     all = roots();
     about = operator_at(structure, all[k], others_than(k, all));
