@@ -93,6 +93,18 @@ TEST_CASE("the coefficient of order 10^6 of (1 - t)^(-1/3)", "[asymptotics][prov
     CHECK(certainly_less(radius_of(law.value(n)), ball(truth * pow(ball(10), -40L))));
 }
 
+// (1 - t)^(-1/3): a_n/a_(n-1) = 1 - (2/3)/n.
+TEST_CASE("the ratios of Domb and Sykes, far beyond those that a recurrence reaches", "[asymptotics][proved]") {
+    const precision_scope scope(50);
+    coefficient_law law = law_at("y' = y/3/(1-t); y(0) = 1");
+    law.sharpen();
+    for (const long n : {60L, 1'000'000L}) {
+        CHECK(overlaps(law.ratio(n), ball(1) - ball(2) / 3 / n));
+    }
+    CHECK(certainly_less(radius_of(law.ratio(1'000'000)), pow(ball(10), -30L)));
+    CHECK_FALSE(is_finite(law_at("y' = 1/(1+t^2); y(0) = 0").ratio(101)));
+}
+
 // atan: only +-i, with the residues of the logarithm.
 TEST_CASE("arc tangent and its derivative", "[asymptotics][proved]") {
     const precision_scope scope(50);

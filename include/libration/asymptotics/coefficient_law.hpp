@@ -64,6 +64,8 @@ public:
     void sharpen();
     /// a_n for n >= first(); the working precision of the constants is that of sharpen().
     ball value(long n) const;
+    /// a_n/a_(n-1), n > first(), the ratios of Domb and Sykes; not finite where a_(n-1) may be 0.
+    ball ratio(long n) const { return value(n) / value(n - 1); }
     /// A bound of |E_n|, the least of all J.
     ball error_bound(long n) const;
     /// The least n for which the law is proved: of branch points with J = terms.
