@@ -44,6 +44,24 @@ TEST_CASE("the text states the law, its error and what is proved", "[command][as
     CHECK(text.find("these are all singularities in |t - t0| <= ") != std::string::npos);
 }
 
+// Exponents of Legendre's equation: 0, 0 at +-1; a_n by the recurrence (n+2)(n+1) a_(n+2) = (n(n+1) - 4/9) a_n in mpmath.
+TEST_CASE("the law of a linear equation with fixed singular points", "[command][asymptotics]") {
+    const std::string problem = "(1-t^2)*y'' - 2*t*y' + 4/9*y = 0; y(0) = 1; y'(0) = 1/2";
+    const auto rows = rows_of({"asymptotics", "--problem", problem, "--digits", "15"});
+    REQUIRE(rows.size() == 2);
+    CHECK(rows[0].at("position_re") == "1.00000000000000");
+    CHECK(rows[0].at("kind") == "logarithm");
+    CHECK(rows[0].at("exponent") == "0");
+    const auto orders = rows_of({"asymptotics", "--problem", problem, "--digits", "25", "--order", "300,10000"});
+    REQUIRE(orders.size() == 2);
+    CHECK(orders[0].at("value") == "-0.001289395531107242501755677");
+    CHECK(orders[0].at("by") == "law");
+    CHECK(orders[1].at("value") == "-0.00003865403457741491728521281");
+    const auto entire = rows_of({"asymptotics", "--problem", "y'' = -y; y(0) = 1; y'(0) = 0", "--within", "20"});
+    REQUIRE(entire.size() == 1);
+    CHECK(entire[0].at("kind") == "none");
+}
+
 TEST_CASE("bad input of asymptotics", "[command][asymptotics]") {
     const temporary_folder folder;
     const std::string problem = "y' = y^2; y(0) = 1";

@@ -1365,6 +1365,30 @@ FAULTS = [
         ("a primitive without its factor", "result /= n + k;", ""),
     ),
     *in_file(
+        "src/libration/asymptotics/fixed_point_terms.cpp", ["asymptotics/fixed_point_terms_test.cpp"],
+        ("the jump of a logarithm halved", "pi<ball>() / factorial, static_cast", "pi<ball>() / 2 / factorial, static_cast"),
+        ("half of the integral beyond the circle", "pow(d_, ball(of.series.exponent().re + j)) / below", "pow(d_, ball(of.series.exponent().re + j)) / 2 / below"),
+        ("a slit longer than its reach", "!certainly_less(d_, each.series.reach())", "false"),
+        ("the derivative by the exponent with the wrong sign", "series[k] * zero - series[k - 1]", "series[k] * zero + series[k - 1]"),
+        ("the rest beyond the last known coefficient forgotten", "slit += norm * slit_factor(each, j, n);", ""),
+    ),
+    *in_file(
+        "src/libration/plane/frobenius_series.cpp", ["plane/frobenius_series_test.cpp"],
+        ("coefficients above the first ones without a condition", "if (certainly_less(needed, ball(n))) {", "if (true) {"),
+        ("the angle of the logarithm forgotten in a bound", "hull(abs(log(low)), abs(log(high))) + pi<ball>()", "hull(abs(log(low)), abs(log(high)))"),
+        ("a point outside the reach", "if (!certainly_less(high, reach_)) {", "if (false) {"),
+    ),
+    *in_file(
+        "src/libration/plane/fuchsian_point.cpp", ["plane/fuchsian_point_test.cpp"],
+        ("logarithms taken for single values", "has_no_value({v.begin() + 1, v.end()})", "true"),
+        ("a pole taken for an apparent singular point", "return each.exponent >= 0;", "return true;"),
+    ),
+    *in_file(
+        "src/libration/asymptotics/linear_law.cpp", ["asymptotics/linear_law_test.cpp"],
+        ("a singular point on the circle", "if (!certainly_less(modulus, rho)) {", "if (false) {"),
+        ("an irregular singular point", "if (!structure.is_regular()) {", "if (false) {"),
+    ),
+    *in_file(
         "src/libration/asymptotics/closed_equation.cpp", ["asymptotics/coefficient_law_test.cpp"],
         ("an equation along the solution with a wrong integral", "flow.at_start(f3 / f1)", "flow.at_start(f2 / f1)"),
     ),

@@ -1,4 +1,4 @@
-// The law of all Taylor coefficients of a solution, proved: theorems L2, A and B.
+// The law of all Taylor coefficients of a solution, proved: theorems L2, A, B and F.
 #pragma once
 
 #include <cstddef>
@@ -6,11 +6,14 @@
 #include <optional>
 #include <vector>
 
+#include "libration/asymptotics/fixed_point_terms.hpp"
 #include "libration/asymptotics/singular_terms.hpp"
 #include "libration/integration/plane_watch.hpp"
 #include "libration/plane/charted_covering.hpp"
 
 namespace libration::ode {
+
+class linear_law;
 
 /// The request of a law.
 struct law_request {
@@ -27,7 +30,8 @@ struct law_request {
 /// For the coefficients a_n of (t - t0)^n of one unknown or derivative y, F its continuation,
 ///     a_n = sum over the singularities in |t - t0| <= rho of their terms + E_n,   |E_n| <= C rho^-n + bounds of the branch points,
 /// where F has no other singularity in |t - t0| <= rho (theorem L2). C bounds the mean of |y| on the circle. Either all
-/// singularities are poles (theorem A, for all n >= 0), or all are algebraic branch points (theorem B).
+/// singularities are poles (theorem A, for all n >= 0), or all are algebraic branch points (theorem B), or all are regular singular
+/// points of a linear equation (theorem F).
 /// y may be a derivative of the function of the equation that is covered, or its primitive: see shift().
 class coefficient_law {
 public:
@@ -43,7 +47,9 @@ public:
     const std::vector<pole_terms>& poles() const { return poles_; }
     /// The branch points with Im >= 0.
     const std::vector<branch_terms>& branch_points() const { return branch_points_; }
-    bool has_singularities() const { return !poles_.empty() || !branch_points_.empty(); }
+    /// The singular points of a linear equation with Im >= 0 where one of its solutions is not analytic.
+    const std::vector<fixed_point_terms>& fixed_points() const { return fixed_points_; }
+    bool has_singularities() const { return !poles_.empty() || !branch_points_.empty() || !fixed_points_.empty(); }
     /// y is the derivative of this order of the function f of the covered equation; -1: a primitive of it. With b_n the coefficients of f,
     /// a_n = (n + shift)!/n! b_(n+shift).
     int shift() const { return shift_; }
@@ -58,6 +64,8 @@ public:
     void sharpen();
     /// a_n for n >= first(); the working precision of the constants is that of sharpen().
     ball value(long n) const;
+    /// a_n/a_(n-1), n > first(), the ratios of Domb and Sykes; not finite where a_(n-1) may be 0.
+    ball ratio(long n) const { return value(n) / value(n - 1); }
     /// A bound of |E_n|, the least of all J.
     ball error_bound(long n) const;
     /// The least n for which the law is proved: of branch points with J = terms.
@@ -67,6 +75,8 @@ public:
 private:
     explicit coefficient_law(explicit_system system) : system_(std::move(system)) {}
     void cover(const law_request& asked);
+    void cover_linear(const linear_equation& equation, const law_request& asked);
+    long first_of_function(int terms) const;
     void set_exact_parts(const pole_box& box, pole_terms& of) const;
     int best_terms(long n) const;
     ball bound_of_function(long n, int terms) const;
@@ -83,6 +93,8 @@ private:
     int shift_ = 0, stride_ = 1, residue_ = 0, last_term_ = 0;
     std::vector<pole_terms> poles_;
     std::vector<branch_terms> branch_points_;
+    std::shared_ptr<const linear_law> linear_;
+    std::vector<fixed_point_terms> fixed_points_;
 };
 
 }  // namespace libration::ode

@@ -179,8 +179,8 @@ int prove_radius(const radius_options& options) {
                   number_cell(judged.uncertainty), judged.judgement});
     std::string text;
     for (const answer_note& each : found.notes) {
-        text += fmt::format("{}  {}  {}: {}\n", each.name, found.at(0, each.name == "upper" ? "upper" : "lower"),
-                            found.rigour, each.text);
+        const std::string number = each.name == "nearest" ? "" : found.at(0, each.name == "upper" ? "upper" : "lower");
+        text += fmt::format("{}  {}{}{}: {}\n", each.name, number, number.empty() ? "" : "  ", found.rigour, each.text);
     }
     options.output.write(data, text + judged.text() + "\n");
     if (found.missing) {

@@ -13,11 +13,13 @@
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"
+#include "linear_law.hpp"
 
 namespace libration::ode {
 
 namespace {
 
+constexpr int terms_beyond_last = 24;
 constexpr long digits_of_first_constants = 40;
 constexpr int most_law_attempts = 3;
 constexpr long bits_of_first_covering = 128;
@@ -120,19 +122,32 @@ coefficient_law coefficient_law::of(const explicit_system& system, const law_req
     const tape start = tape::about_start(system);
     law.stride_ = start.stride();
     law.residue_ = start.residue_of(static_cast<int>(asked.unknown)) - asked.derivative;
+    const auto linear = linear_equation::of(law.system_);
     with_half_more_bits(bits_of_first_covering, most_law_attempts, [&](long bits) -> std::optional<bool> {
         const precision_scope scope(decimal_digits(bits));
         try {
-            law.cover(asked);
+            linear ? law.cover_linear(*linear, asked) : law.cover(asked);
             return true;
         } catch (const precision_exhausted&) {
             return std::nullopt;
         }
     });
-    if (!law.atlas_ || law.rho_ == 0) {
+    if (law.rho_ == 0) {
         refuse_law("has no law that is proved with the precisions that are tried");
     }
     return law;
+}
+
+void coefficient_law::cover_linear(const linear_equation& equation, const law_request& asked) {
+    rho_ = 0;
+    last_term_ = asked.terms;
+    const auto found = std::make_shared<linear_law>(equation, asked.within, asked.watch);
+    found->bound_circle();
+    linear_ = found;
+    mean_ = linear_->mean();
+    sharpen();
+    discs_ = linear_->discs();
+    rho_ = linear_->rho();
 }
 
 void coefficient_law::cover(const law_request& asked) {
@@ -208,6 +223,9 @@ void coefficient_law::set_exact_parts(const pole_box& box, pole_terms& of) const
 }
 
 void coefficient_law::sharpen() {
+    if (linear_) {
+        fixed_points_ = linear_->terms(last_term_ + terms_beyond_last);
+    }
     std::vector<pole_terms> poles;
     for (const pole_box& each : boxes_) {
         poles.push_back(terms_of_pole(system_, *atlas_, each));
@@ -260,19 +278,20 @@ ball coefficient_law::bound_of_function(long n, int terms) const {
     for (const branch_terms& each : branch_points_) {
         sum += each.bound(n, terms);
     }
+    for (const fixed_point_terms& each : fixed_points_) {
+        sum += each.bound(n, terms);
+    }
     return upper_bound(sum);
 }
 
 int coefficient_law::best_terms(long n) const {
-    if (branch_points_.empty()) {
+    if (branch_points_.empty() && fixed_points_.empty()) {
         return 0;
     }
     std::optional<ball> least;
     int best = 0;
     for (const int each : tried_terms(last_term_)) {
-        const bool holds =
-            std::ranges::all_of(branch_points_, [&](const branch_terms& of) { return of.first(each) <= n; });
-        if (!holds) {
+        if (first_of_function(each) > n) {
             continue;
         }
         ball bound = bound_of_function(n, each);
@@ -284,12 +303,19 @@ int coefficient_law::best_terms(long n) const {
     return best;
 }
 
-long coefficient_law::first(int terms) const {
+long coefficient_law::first_of_function(int terms) const {
     long least = 0;
     for (const branch_terms& each : branch_points_) {
         least = std::max(least, each.first(terms));
     }
-    return std::max(least - shift_, shift_ < 0 ? static_cast<long>(-shift_) : 0L);
+    for (const fixed_point_terms& each : fixed_points_) {
+        least = std::max(least, each.first(terms));
+    }
+    return least;
+}
+
+long coefficient_law::first(int terms) const {
+    return std::max(first_of_function(terms) - shift_, shift_ < 0 ? static_cast<long>(-shift_) : 0L);
 }
 
 ball coefficient_law::error_bound(long n) const {
@@ -313,6 +339,9 @@ ball coefficient_law::value(long n) const {
         sum += pole_coefficient(each, m);
     }
     for (const branch_terms& each : branch_points_) {
+        sum += each.coefficient(m, terms);
+    }
+    for (const fixed_point_terms& each : fixed_points_) {
         sum += each.coefficient(m, terms);
     }
     return widened(sum, magnitude(bound_of_function(m, terms))) * factorial_quotient(n, shift_);

@@ -79,6 +79,54 @@ answer_value decimal_of(const ball& x, long digits) {
     return {"", is_finite(x) ? upper_bound_text(x) : ""};
 }
 
+std::string words_of_exponent(const ode::fixed_point_terms::singular_term& of, int shift, int sign, long digits) {
+    if (of.exact) {
+        return rational(*of.exact - shift).str();
+    }
+    const std::string re = decimal_of(ball(of.exponent.re - shift), digits).text;
+    return contains_zero(of.exponent.im) ? re
+                                         : re + " + (" + decimal_of(ball(of.exponent.im * sign), digits).text + ")i";
+}
+
+// At a regular singular point: the leading term, differentiated `shift` times; of two conjugate exponents that with Im > 0.
+leading_term leading_of_fixed_point(const ode::fixed_point_terms& of, int shift, int sign, long digits) {
+    auto all = of.leading();
+    if (all.empty()) {
+        return {"at most a singular point of the equation", "", complex_ball(0), false};
+    }
+    const auto& next = all[std::min<std::size_t>(1, all.size() - 1)];
+    ode::fixed_point_terms::singular_term term =
+        of.is_real() && certainly_less(all[0].exponent.im, ball(0)) ? next : all[0];
+    for (int i = 0; i < shift; ++i) {
+        const bool is_natural = term.exact && *term.exact == i && term.power > 0;
+        if (is_natural) {
+            --term.power;
+        } else {
+            term.coefficient = term.coefficient * complex_ball{term.exponent.re - i, term.exponent.im};
+        }
+        term.coefficient = term.coefficient / (-of.place());
+    }
+    const std::string exponent = words_of_exponent(term, shift, sign, digits);
+    for (int k = 2; k <= term.power; ++k) {
+        term.coefficient = term.coefficient / k;
+    }
+    std::string kind;
+    if (term.power > 0) {
+        kind = term.power == 1 ? "logarithm" : "logarithm to the power " + std::to_string(term.power);
+    } else if (term.exact && denominator(*term.exact) == 1) {
+        const int order = static_cast<int>(numerator(rational(shift - *term.exact)));
+        const bool alone = std::ranges::all_of(of.parts(), &ode::local_part::has_single_values);
+        kind = pole_words(order) + (alone ? "" : ", with other singular terms or without");
+        for (int k = 0; k < order; ++k) {  // of (t - t*)^-order
+            term.coefficient = term.coefficient * (-of.place());
+        }
+    } else {
+        kind = contains_zero(term.exponent.im) ? "branch point" : "branch point of a complex exponent";
+    }
+    const bool known = excludes_zero_of(term.coefficient);
+    return {(known ? "" : "at most a ") + kind, exponent, term.coefficient, known};
+}
+
 // The number itself if it has few digits, else a decimal that is not above it.
 std::string text_of_double(double x) {
     constexpr long digits_of_double = 17;
@@ -121,6 +169,11 @@ std::string main_words(const ode::coefficient_law& law, int terms) {
         return "sum over k of t_k^-n sum over " + std::to_string(-of.pole) + " <= j <= " + std::to_string(terms) +
                " of c_kj Gamma(n - j/" + q + ")/(Gamma(-j/" + q + ") n!) + E_n";
     }
+    if (!law.fixed_points().empty()) {
+        return "sum over k, e, j <= " + std::to_string(terms) +
+               ", m of t_k^-n c_kejm/m! d^m/da^m [Gamma(n - a)/(Gamma(-a) n!)] + E_n, a = e + j, where c_kejm is the "
+               "coefficient of x^a log(x)^m/m!, x = 1 - (t - t0)/(t_k - t0)";
+    }
     return "E_n";
 }
 
@@ -136,6 +189,15 @@ std::string error_words(const ode::coefficient_law& law, int terms, const std::s
                  parts_of(midpoint_of(lower_bound(modulus)), 12, MPFR_RNDD).text() + "^-n Gamma(n - " +
                  std::to_string(bound.index) + "/" + std::to_string(each.of().sheets) + ")/n!";
     }
+    for (const ode::fixed_point_terms& each : law.fixed_points()) {
+        const auto bound = each.uniform(terms);
+        circle += bound.circle;
+        if (!contains_zero(bound.slit)) {
+            slits += " + " + upper_bound_text(bound.slit) + " * " +
+                     parts_of(midpoint_of(lower_bound(ode::modulus_in_balls(each.place()))), 12, MPFR_RNDD).text() +
+                     "^-n Gamma(n - " + bound.index.str() + ")/n!";
+        }
+    }
     return "|E_n| <= " + upper_bound_text(circle) + " * " + rho + "^-n" + slits;
 }
 
@@ -150,8 +212,9 @@ answer singularities_of_law(const ode::coefficient_law& law, const std::string& 
                             "coefficient_im", "rho", "mean", "first"},
                   .rows = {},
                   .rigour = "proved"};
-    const auto add = [&](const complex_ball& place, bool real, const leading_term& of) {
+    const auto add = [&](const complex_ball& place, bool real, const auto& leading_at) {
         for (const int sign : real ? std::vector{1} : std::vector{1, -1}) {
+            const leading_term of = leading_at(sign);
             const ball modulus = real ? abs(place.re) : ball(sqrt(ball(place.re * place.re + place.im * place.im)));
             const auto im = [&](const complex_ball& z) { return decimal_of(ball(z.im * sign), digits); };
             result.rows.push_back({decimal_of(place.re, digits),
@@ -167,10 +230,15 @@ answer singularities_of_law(const ode::coefficient_law& law, const std::string& 
         }
     };
     for (const ode::pole_terms& each : law.poles()) {
-        add(each.place, each.real, leading_of_pole(each, law.shift()));
+        add(each.place, each.real, [&](int /*sign*/) { return leading_of_pole(each, law.shift()); });
     }
     for (const ode::branch_terms& each : law.branch_points()) {
-        add(each.of().place, each.of().real, leading_of_algebraic_point(each.of(), law.shift()));
+        add(each.of().place, each.of().real,
+            [&](int /*sign*/) { return leading_of_algebraic_point(each.of(), law.shift()); });
+    }
+    for (const ode::fixed_point_terms& each : law.fixed_points()) {
+        add(each.place(), each.is_real(),
+            [&](int sign) { return leading_of_fixed_point(each, law.shift(), sign, digits); });
     }
     const std::size_t count = result.rows.size();
     if (result.rows.empty()) {
@@ -193,7 +261,8 @@ answer singularities_of_law(const ode::coefficient_law& law, const std::string& 
     result.notes = {
         {"law", "for all n >= " + std::to_string(first) + ": " + words_of_shift(law) + main_words(law, printed)},
         {"error", reduced},
-        {"proved", "of " + name + ", continued along rays from the initial point, these are all singularities in |t - t0| <= " +
+        {"proved", "of " + name +
+                       ", continued along rays from the initial point, these are all singularities in |t - t0| <= " +
                        rho + ": " + std::to_string(count) + ", by " + std::to_string(law.discs()) + " discs in " +
                        std::to_string(law.charts()) + (law.charts() == 1 ? " chart" : " charts") +
                        "; the law holds for every n from " + std::to_string(first) + " on" + stride}};

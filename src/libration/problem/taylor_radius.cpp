@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "law_radius.hpp"
 #include "libration/digits/precision_loop.hpp"
 #include "libration/equation/first_order_form.hpp"
 #include "libration/number/two_proofs.hpp"
@@ -83,6 +84,9 @@ answer taylor_solution::proved_radius(const series_request& of, const request& h
     }
     const auto checked = checked_products(how.check);
     const long digits = how.printed_digits();
+    if (auto found = how.check ? std::nullopt : radius_by_linear_law(system_, how)) {
+        return *std::move(found);
+    }
     plane_work work(how);
     const ode::proved_radius radius = ode::prove_radius(system_, digits, {.watch = work.watch()});
     const ode::outward_bounds bounds = ode::outward_decimals(radius, digits);
@@ -90,6 +94,9 @@ answer taylor_solution::proved_radius(const series_request& of, const request& h
                   .rows = {{{bounds.lower, ""}, {bounds.upper, ""}}},
                   .rigour = "proved",
                   .notes = notes_of(system_, radius)};
+    if (const std::string kinds = radius.infinite ? "" : kinds_by_law(system_, how); !kinds.empty()) {
+        result.notes.push_back({"nearest", kinds});
+    }
     if (how.check) {
         result.missing = undecided_in([&] { require_second_bounds(system_, digits, bounds, work.watch()); });
     }

@@ -1,4 +1,5 @@
-// Coefficients by the law of all coefficients: poles, branch points and movable logarithms, also in pairs and on one circle.
+// Coefficients by the law of all coefficients: poles, branch points, movable logarithms and the singular points of linear equations, also
+// in pairs and on one circle.
 #include <fmt/core.h>
 
 #include "attack/question.hpp"
@@ -118,16 +119,94 @@ asked_law any_logarithm(choices& next) {
             [=](long n) { return mpfr(pow(real(c), static_cast<int>(n)) / n); }};
 }
 
+// sum over i, j of coefficients[i][j] t^j y^(i) = right, and the initial values.
+struct linear_polynomials {
+    std::vector<std::vector<rational>> coefficients;
+    rational right;
+    std::vector<rational> starts;
+
+    std::string text() const {
+        std::string left;
+        for (std::size_t i = 0; i < coefficients.size(); ++i) {
+            for (std::size_t j = 0; j < coefficients[i].size(); ++j) {
+                left += fmt::format("{}({})*t^{}*y{}", left.empty() ? "" : " + ", coefficients[i][j].str(), j,
+                                    std::string(i, '\''));
+            }
+        }
+        left += fmt::format(" = {}", right.str());
+        for (std::size_t k = 0; k < starts.size(); ++k) {
+            left += fmt::format("; y{}(0) = {}", std::string(k, '\''), starts[k].str());
+        }
+        return left;
+    }
+
+    // Coefficient n by the recurrence for coefficient m of the equation, m = 0, 1, ..
+    mpfr coefficient(long n) const {
+        std::vector<mpfr> a;
+        long factorial = 1;
+        for (std::size_t k = 0; k < starts.size(); ++k) {
+            factorial *= k > 1 ? static_cast<long>(k) : 1;
+            a.push_back(real(starts[k]) / factorial);
+        }
+        const auto order = static_cast<long>(coefficients.size()) - 1;
+        const auto falling = [](long from, long count) {
+            mpfr product(1);
+            for (long k = 0; k < count; ++k) {
+                product *= from - k;
+            }
+            return product;
+        };
+        for (long m = 0; static_cast<long>(a.size()) <= n; ++m) {
+            mpfr sum(m == 0 ? real(right) : mpfr(0));
+            for (long i = 0; i <= order; ++i) {
+                const auto& row = coefficients[static_cast<std::size_t>(i)];
+                for (long j = 0; j < static_cast<long>(row.size()) && j <= m; ++j) {
+                    if (i < order || j > 0) {
+                        sum -= real(row[static_cast<std::size_t>(j)]) * falling(m - j + i, i) *
+                               a[static_cast<std::size_t>(m - j + i)];
+                    }
+                }
+            }
+            a.push_back(sum / (real(coefficients.back()[0]) * falling(m + order, order)));
+        }
+        return a[static_cast<std::size_t>(n)];
+    }
+};
+
+// The leading coefficient (1 - a t)(1 - b t), also with a = b: Euler's equation or an irregular singular point.
+asked_law any_linear(choices& next) {
+    const rational a = few(next, false);
+    const rational b = next.one_in(4) ? a : few(next);
+    const std::vector<rational> leading{1, -a - b, a * b};
+    linear_polynomials made;
+    const bool second = !next.one_in(3);
+    made.right = next.one_in(3) ? few(next) : rational(0);
+    if (a == b && second) {
+        const rational c = few(next);
+        made.coefficients = {{few(next)}, {c, -c * a}, leading};
+    } else {
+        made.coefficients = {{few(next), next.one_in(2) ? few(next) : rational(0)}, leading};
+        if (second) {
+            made.coefficients.insert(made.coefficients.begin() + 1, {few(next), few(next)});
+        }
+    }
+    for (std::size_t k = 0; k + 1 < made.coefficients.size(); ++k) {
+        made.starts.push_back(few(next));
+    }
+    return {made.text(), [=](long n) { return made.coefficient(n); }};
+}
+
 }  // namespace
 
 // Each coefficient of the law counts as one statement.
 outcome ask_law(choices& next) {
-    const auto kind = next.below(8);
+    const auto kind = next.below(12);
     const asked_law asked = kind < 2   ? any_riccati(next)
                             : kind < 4 ? any_second_order(next)
                             : kind < 6 ? any_abel(next)
                             : kind < 7 ? any_root(next)
-                                       : any_logarithm(next);
+                            : kind < 8 ? any_logarithm(next)
+                                       : any_linear(next);
     const long order = next.one_in(8) ? 1000 : 200;
     const std::string command =
         fmt::format("libration asymptotics --problem \"{}\" --order 3,30,{}", asked.text, order);
