@@ -17,12 +17,12 @@ using namespace libration::ode;
 TEST_CASE("the steps of Airy's equation enclose Airy's function", "[ode][proved]") {
     for (const long digits : {20L, 60L, 200L}) {
         const precision_scope scope(digits);
-        const linear_equation airy{{ball(1)}, {}, {ball(0), ball(1)}};
+        const second_order_equation airy{{ball(1)}, {}, {ball(0), ball(1)}};
         ball ai;
         ball slope;
         const ball from = ball(1) / 2;
         arb_hypgeom_airy(ai.handle(), slope.handle(), nullptr, nullptr, from.handle(), ball::working_bits());
-        const auto step = linear_equation_step::towards(airy, from, ball(-3), 8);
+        const auto step = second_order_step::towards(airy, from, ball(-3), 8);
         REQUIRE(step);
         const auto solution = step->solution(ai, slope);
         REQUIRE(solution);
@@ -43,12 +43,12 @@ TEST_CASE("the steps of Airy's equation enclose Airy's function", "[ode][proved]
 TEST_CASE("few terms of a series with singular points enclose the closed form", "[ode][proved]") {
     const precision_scope scope(60);
     const auto exact = [](const ball& s) { return sqrt(s * s + 1); };
-    const linear_equation plain{{ball(1), ball(0), ball(2), ball(0), ball(1)}, {}, {ball(1)}};
-    const linear_equation with_slope{{ball(1), ball(0), ball(1)}, {ball(0), ball(1)}, {ball(1)}};
-    for (const linear_equation& of : {plain, with_slope}) {
+    const second_order_equation plain{{ball(1), ball(0), ball(2), ball(0), ball(1)}, {}, {ball(1)}};
+    const second_order_equation with_slope{{ball(1), ball(0), ball(1)}, {ball(0), ball(1)}, {ball(1)}};
+    for (const second_order_equation& of : {plain, with_slope}) {
         for (const std::size_t terms : {6U, 9U, 14U, 40U}) {
             const ball from(1);
-            const auto step = linear_equation_step::towards(of, from, ball(3), 4);
+            const auto step = second_order_step::towards(of, from, ball(3), 4);
             REQUIRE(step);
             const auto solution = step->solution(exact(from), from / exact(from), terms);
             REQUIRE(solution);

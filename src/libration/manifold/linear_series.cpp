@@ -58,8 +58,8 @@ ball linear_series::slope(const ball& tau) const {
     return widened(sum, slope_tail_) / length_;
 }
 
-std::optional<linear_equation_step> linear_equation_step::towards(const linear_equation& of, const ball& s0,
-                                                                  const ball& to, double size) {
+std::optional<second_order_step> second_order_step::towards(const second_order_equation& of, const ball& s0,
+                                                            const ball& to, double size) {
     const auto a = shifted(of.a, s0);
     const auto b = shifted(of.b, s0);
     const auto c = shifted(of.c, s0);
@@ -69,7 +69,7 @@ std::optional<linear_equation_step> linear_equation_step::towards(const linear_e
     }
     const magnitude most_b = magnitude::at_least(size, 0);
     const magnitude most_c = magnitude::at_least(size * size, 0);
-    linear_equation_step step;
+    second_order_step step;
     step.length_ = to - s0;
     step.inverse_ = ball(1) / a.front();
     // All of the distance, else the largest power of 2 that is small enough.
@@ -90,8 +90,8 @@ std::optional<linear_equation_step> linear_equation_step::towards(const linear_e
     return std::nullopt;
 }
 
-std::optional<linear_series> linear_equation_step::solution(const ball& value, const ball& slope,
-                                                            std::size_t terms) const {
+std::optional<linear_series> second_order_step::solution(const ball& value, const ball& slope,
+                                                         std::size_t terms) const {
     const slong bits = ball::working_bits();
     const std::size_t window = std::max({a_.size() - 1, b_.size(), c_.size() + 1});
     linear_series result;

@@ -9,7 +9,7 @@
 namespace libration::ode {
 
 /// a y'' + b y' = c y with polynomials in s, each by its coefficients of increasing powers.
-struct linear_equation {
+struct second_order_equation {
     std::vector<ball> a, b, c;
 };
 
@@ -25,7 +25,7 @@ public:
     ball slope(const ball& tau) const;
 
 private:
-    friend class linear_equation_step;
+    friend class second_order_step;
     std::vector<ball> c_;
     magnitude tail_, slope_tail_;  // of the value, and of d/dtau, for |tau| <= 1
     ball length_;
@@ -40,12 +40,12 @@ private:
 /// w the largest of deg a, deg b + 1 and deg c + 2. If rho < 1, e_k <= rho^m W for N + (m-1) w < k <= N + m w, where W is
 /// the largest of the last w of e_0 .. e_N: the series converges for |s - s0| <= |h|, with the tails
 ///     sum e_k <= w rho W/(1 - rho),   sum k e_k <= w W (N rho/(1 - rho) + w rho/(1 - rho)^2).
-class linear_equation_step {
+class second_order_step {
 public:
     /// A step from s0 to `to` or, where that is too far, a part of it: B and C are at most `size`, `size`^2, and A <= 1/2.
     /// std::nullopt if a(s0) is not seen to differ from 0.
-    static std::optional<linear_equation_step> towards(const linear_equation& of, const ball& s0, const ball& to,
-                                                       double size);
+    static std::optional<second_order_step> towards(const second_order_equation& of, const ball& s0, const ball& to,
+                                                    double size);
 
     const ball& length() const { return length_; }
     /// The solution with y(s0) = value, y'(s0) = slope, to the working precision, or with N = terms if terms > 0;

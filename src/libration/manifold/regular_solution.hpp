@@ -27,7 +27,7 @@ struct regular_value {
 /// C = sum |above_i w^i/below_0|, i >= 1, the recurrence
 ///     (k^2 + (2 rho - p) k) below_0 c_k = sum (above_i - below_i (r^2 - p r)) c_(k-i),  r = rho + k - i,
 /// gives |c_k w^k| <= q max of the last `degree` of them for k > N >= 1, q = (A (rho + N)^2 + C)/(N^2 + (2 rho - p) N), and
-/// where q < 1 the tails of linear_equation_step. To the working precision, or with N = terms if terms > 0. std::nullopt if q < 1 is
+/// where q < 1 the tails of second_order_step. To the working precision, or with N = terms if terms > 0. std::nullopt if q < 1 is
 /// not seen: for smaller w it is.
 std::optional<regular_value> regular_solution_at(const regular_equation& of, const ball& w, std::size_t terms = 0);
 

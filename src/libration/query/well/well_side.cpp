@@ -104,7 +104,7 @@ well_side::quotient_at well_side::quotient(const ball& e) const {
 }
 
 // below psi_ss = above psi, or with s = exp(r x), below r^2 (s^2 psi_ss + s psi_s) = above psi.
-linear_equation well_side::equation(const quotient_at& q) const {
+second_order_equation well_side::equation(const quotient_at& q) const {
     if (!well_.exponential) {
         return {q.below, {}, q.above};
     }
@@ -191,7 +191,7 @@ std::optional<ball> well_side::regular_slope(const quotient_at& q, const ball& f
 }
 
 // From the pole at the right end.
-std::optional<end_state> well_side::at_pole(const ball& e, const linear_equation& of, bool counts_zeros) const {
+std::optional<end_state> well_side::at_pole(const ball& e, const second_order_equation& of, bool counts_zeros) const {
     regular_equation about{balls_of(pole_->above), balls_of(pole_->below), 1};
     const ball product = from_rational<ball>(well_.weight) * e;
     about.above.resize(std::max(about.above.size(), about.below.size() + 2), ball(0));
@@ -223,7 +223,7 @@ std::optional<ball> well_side::slope_from_infinity(const quotient_at& q, const b
         throw error(error_kind::undecided, error_subject::problem, "",
                     "has a potential without a barrier at infinity: 5 V'^2 >= 4 (V - E) V'' is not seen there");
     }
-    const linear_equation of = equation(q);
+    const second_order_equation of = equation(q);
     const magnitude width = magnitude::radius_of(*z);
     end_state u{ball(1), exact_midpoint(*z)};
     const magnitude beyond = width + magnitude(abs(*z)).shifted(4 - bits);  // with the rounding of the midpoint
@@ -231,7 +231,7 @@ std::optional<ball> well_side::slope_from_infinity(const quotient_at& q, const b
     ball s = far;
     const double size = least_size_of_step + static_cast<double>(bits) / bits_per_size;
     while (arb_gt(s.handle(), from.handle()) != 0) {
-        const auto step = linear_equation_step::towards(of, s, from, size);
+        const auto step = second_order_step::towards(of, s, from, size);
         if (!step) {
             return std::nullopt;
         }
@@ -254,13 +254,13 @@ std::optional<ball> well_side::slope_from_infinity(const quotient_at& q, const b
     return widened(u.slope / u.value, error);
 }
 
-std::optional<end_state> well_side::carried(const linear_equation& of, ball from, end_state state,
+std::optional<end_state> well_side::carried(const second_order_equation& of, ball from, end_state state,
                                             bool counts_zeros) const {
     const double size = counts_zeros ? size_of_counted_step
                                      : least_size_of_step + static_cast<double>(ball::working_bits()) / bits_per_size;
     int sign = 1;  // of psi
     while (arb_gt(from.handle(), m_.handle()) != 0) {
-        const auto step = linear_equation_step::towards(of, from, m_, size);
+        const auto step = second_order_step::towards(of, from, m_, size);
         const bool stands =
             step && magnitude(step->length()).exponent() < magnitude(from - m_).exponent() - bits_of_shortest_step;
         if (!step || stands) {
@@ -288,7 +288,7 @@ std::optional<end_state> well_side::carried(const linear_equation& of, ball from
 
 std::optional<end_state> well_side::at(const ball& e, bool counts_zeros) const {
     const quotient_at q = quotient(e);
-    const linear_equation of = equation(q);
+    const second_order_equation of = equation(q);
     if (pole_) {
         return at_pole(e, of, counts_zeros);
     }

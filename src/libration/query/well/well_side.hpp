@@ -56,17 +56,18 @@ private:
     };
     void read_pole();
     quotient_at quotient(const ball& e) const;
-    linear_equation equation(const quotient_at& q) const;
+    second_order_equation equation(const quotient_at& q) const;
     ball point_at(long k) const;
     ball speed(const ball& s) const;
     ball first_point(const quotient_at& q) const;
     ball far_point(const quotient_at& q, const ball& from, long bits) const;
     std::optional<ball> barrier(const quotient_at& q, const ball& far) const;
     std::optional<ball> regular_slope(const quotient_at& q, const ball& far) const;
-    std::optional<end_state> at_pole(const ball& e, const linear_equation& of, bool counts_zeros) const;
+    std::optional<end_state> at_pole(const ball& e, const second_order_equation& of, bool counts_zeros) const;
     std::optional<ball> slope_from_infinity(const quotient_at& q, const ball& from) const;
     bool tends_to_infinity() const;
-    std::optional<end_state> carried(const linear_equation& of, ball from, end_state state, bool counts_zeros) const;
+    std::optional<end_state> carried(const second_order_equation& of, ball from, end_state state,
+                                     bool counts_zeros) const;
 
     well_equation well_;
     well_end end_;
