@@ -182,6 +182,9 @@ bool eigenvalue_search::improve(iterate& at, const bracket& around, long bits) {
     for (int k = 0; k < most_steps_of_search; ++k) {
         const auto w = value(at.e, now);
         const bool decided = w && !contains_zero(*w);
+        if (w && !decided) {
+            at.log2_error = std::min(at.log2_error, log2_of(*w) - log2_of(at.slope) + 1);
+        }
         if (decided) {
             double slope_error = at.log2_slope_error;
             if (last && !contains_zero(at.e - last->first) && !contains_zero(*w - last->second)) {

@@ -70,9 +70,9 @@ void read_points(const eigenvalue_question& of, const std::string& unknown, cons
     const std::size_t missing = static_cast<std::size_t>(!ends.left) + static_cast<std::size_t>(!ends.right);
     if (all.size() != missing) {
         throw error(error_kind::argument, error_subject::conditions, "",
-                    "are at " + std::to_string(all.size() + 2 - missing) +
-                        " ends, and an eigenvalue needs two: write " + unknown + "(-inf) = 0; " + unknown +
-                        "(inf) = 0, or " + unknown + "(0) = 0; " + unknown + "(inf) = 0");
+                    "are at " + std::to_string(all.size() + 2 - missing) + " of the two ends that a well has: write " +
+                        unknown + "(-inf) = 0; " + unknown + "(inf) = 0, or " + unknown + "(0) = 0; " + unknown +
+                        "(inf) = 0");
     }
     auto next = all.begin();
     for (auto* end : {&ends.left, &ends.right}) {
