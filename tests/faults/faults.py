@@ -1375,6 +1375,17 @@ FAULTS = [
          "    for (std::size_t m = last + 3; m <= top; ++m) {\n        for (std::size_t i = 0; i < defect_.size(); ++i) {"),
     ),
     *in_file(
+        "src/libration/manifold/manifold_tail.cpp", ["manifold/invariant_manifold_test.cpp"],
+        ("the linear terms of the motion in a block of equal rates forgotten", "for (int m = 1; m <= degree_; ++m) {\n            sum +=",
+         "for (int m = 2; m <= degree_; ++m) {\n            sum +="),
+    ),
+    *in_file(
+        "src/libration/manifold/manifold_terms.cpp", ["manifold/invariant_manifold_test.cpp"],
+        ("terms of a manifold without the coupling of equal rates", "    if (!is_coupled_) {\n        return;", "    if (m > 0) {\n        return;"),
+        ("the coupling of equal rates without the power", "ball(-each.exponents[j])", "ball(-1)"),
+        ("a box of terms taken that is not mapped into itself", "        if (inside) {", "        if (inside || round > 0) {"),
+    ),
+    *in_file(
         "src/libration/manifold/invariant_manifold.cpp", ["manifold/invariant_manifold_test.cpp"],
         ("the terms of the normal form forgotten", "    subtract_normal_form(result, m);\n", ""),
     ),

@@ -56,6 +56,26 @@ asked_connection of_resonance(choices& next) {
             25};
 }
 
+// s' = -p s + j v, v' = -r v with r = p or nearly so: the manifold is u = 0, Y = u + k s v.
+asked_connection of_equal_rates(choices& next) {
+    const long p = small(next);
+    const long k = next.between(1, 3);
+    const std::string rate =
+        next.one_in(2) ? fmt::format("{}", p) : fmt::format("({}/1000)", 1000 * p + next.between(-3, 3));
+    const std::string coupling =
+        next.one_in(3) ? "0" : fmt::format("({}/{})", next.between(-4, 4), next.one_in(2) ? 1 : 100);
+    const constant v = simple_constant(next);
+    const truth start = [=] { return mpfr(k * v.value() / 2); };
+    const std::string slope_of_s = fmt::format("(-{}*s + {}*v)", p, coupling);
+    const std::string slope_of_v = fmt::format("(-{}*v)", rate);
+    return {fmt::format("s' = {0}; v' = {1}; y' = y-{2}*s*v + {2}*({0}*v + s*{1}); s(0) = 1/2; v(0) = {3}; y(0) = {4}",
+                        slope_of_s, slope_of_v, k, v.text, near_value(start, next)),
+            {"s(inf) = 0", "v(inf) = 0", "y(inf) = 0"},
+            "y(0)",
+            start,
+            25};
+}
+
 // u'' = k^2 u - g u^3 has u(0) = k sqrt(2/g); u'' = k^2 u - g u^2 has 3 k^2/(2 g).
 asked_connection of_soliton(choices& next) {
     const constant k = simple_constant(next);
@@ -115,12 +135,13 @@ asked_connection of_layer(choices& next) {
 }
 
 asked_connection any_connection(choices& next) {
-    switch (next.below(6)) {
+    switch (next.below(7)) {
         case 0: return of_graph(next);
         case 1: return of_resonance(next);
         case 2: return of_soliton(next);
         case 3: return of_front(next);
         case 4: return of_moving_wall(next);
+        case 5: return of_equal_rates(next);
         default: return of_layer(next);
     }
 }

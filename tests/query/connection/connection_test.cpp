@@ -76,6 +76,27 @@ TEST_CASE("layers with lines of equilibria, and with an unknown that grows", "[o
     CHECK(sakiadis.values[0].text == "-0.443748313368861051119832843850");
 }
 
+// y = sqrt 2 sech t has the rate 1, as w = -3 y; w = t y' + y solves the last one, with a Jordan block: w'' - w has the term 2 y.
+TEST_CASE("equal rates in closed form", "[ode][proved]") {
+    const precision_scope scope(60);
+    const std::string soliton = "y'' = y - y^3; y'(0) = 0; w'(0) = 0; y(inf) = 0; w(inf) = 0; w'' = w + ";
+    const auto equal = connected(soliton + "3*y^3", {"y(0)=1.4", "w(0)=-4"}, 20);
+    CHECK(within_a_unit(equal.values[0], sqrt(ball(2)), 20));
+    CHECK(within_a_unit(equal.values[1], sqrt(ball(2)) * -3, 20));
+    const auto driven = connected(soliton + "2*y - 3*y^2*w", {"y(0)=1.4", "w(0)=1.4"}, 20);
+    CHECK(within_a_unit(driven.values[0], sqrt(ball(2)), 20));
+    CHECK(within_a_unit(driven.values[1], sqrt(ball(2)), 20));
+}
+
+TEST_CASE("von Karman's swirling flow, with two equal rates", "[ode][proved]") {
+    // [INFINITY: 45 digits of another program, prototypes/infinity/karman.py]
+    const auto disk = connected(
+        "F'' = F^2 - G^2 + F'*H; G'' = 2*F*G + H*G'; H' = -2*F; F(0) = 0; G(0) = 1; H(0) = 0; F(inf) = 0; G(inf) = 0",
+        {"F'(0)=0.5", "G'(0)=-0.6"}, 20);
+    CHECK(disk.values[0].text == "0.51023261886728488440");
+    CHECK(disk.values[1].text == "-0.61592201439935396635");
+}
+
 TEST_CASE("two unknowns, and a pair of complex eigenvalues", "[ode][proved]") {
     const precision_scope scope(60);
     const auto kawahara = connected("u'''' = u'' + u^2/2 - 36*u/169; u'(0) = 0; u'''(0) = 0; u(inf) = 0",

@@ -155,8 +155,7 @@ private:
         const auto all = attempts();
         if (all.empty()) {
             refuse_guess(
-                "is not found: at the first guess, the equilibrium has no invariant manifold that is proved, as "
-                "for multiple eigenvalues");
+                "is not found: at the first guess, the equilibrium has no invariant manifold that is proved");
         }
         for (const attempt& each : all) {
             if (auto x = candidate_from(map_, each.numbers, each.side)) {
