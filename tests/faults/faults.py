@@ -1408,6 +1408,10 @@ FAULTS = [
          "        if (open_in(e).empty()) {"),
     ),
     *in_file(
+        "src/libration/query/connection/carried_connection.cpp", ["query/connection/connection_test.cpp"],
+        ("the heat beyond the last time forgotten", "(*state)[each.places[1]] * rest_of_integral(*state, each)", "ball(0)"),
+    ),
+    *in_file(
         "src/libration/query/connection/layer_connection.cpp", ["query/connection/connection_test.cpp"],
         ("a limit that solutions beside it have too accepted", "        if (asked.exponentially ||",
          "        if (!asked.text.empty() ||"),

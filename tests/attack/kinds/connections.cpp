@@ -18,6 +18,7 @@ struct asked_connection {
     std::string name;
     truth value;
     long most_digits = 40;
+    std::vector<std::string> others = {};  // further unknowns
 };
 
 std::string near_value(const truth& value, choices& next) {
@@ -134,14 +135,35 @@ asked_connection of_layer(choices& next) {
             30};
 }
 
+// The same with heat, T'' + a f T' = 0: T = T(0) (1 - f'/L), so that T'(0) = -T(0) f''(0)/L.
+asked_connection of_heat(choices& next) {
+    const constant a = simple_constant(next);
+    const constant limit = simple_constant(next);
+    const constant wall = simple_constant(next);
+    const truth slope = [=] {
+        return mpfr(mpfr("-0.46959998836101330450933365344758845872") * sqrt(mpfr(a.value() * limit.value())) *
+                    wall.value());
+    };
+    const truth bend = [=] { return mpfr(-slope() * limit.value() / wall.value()); };
+    return {fmt::format(
+                "f''' + {0}*f*f'' = 0; T'' + {0}*f*T' = 0; f(0) = 0; f'(0) = 0; T(0) = {1}; T'(0) = -1; f''(0) = {2}",
+                a.text, wall.text, near_value(bend, next)),
+            {fmt::format("f'(inf) = {}", limit.text), "T(inf) = 0"},
+            "T'(0)",
+            slope,
+            25,
+            {"f''(0)"}};
+}
+
 asked_connection any_connection(choices& next) {
-    switch (next.below(7)) {
+    switch (next.below(8)) {
         case 0: return of_graph(next);
         case 1: return of_resonance(next);
         case 2: return of_soliton(next);
         case 3: return of_front(next);
         case 4: return of_moving_wall(next);
         case 5: return of_equal_rates(next);
+        case 6: return of_heat(next);
         default: return of_layer(next);
     }
 }
@@ -153,11 +175,15 @@ outcome ask_connection(choices& next) {
     const long digits = next.between(1, asked.most_digits);
     std::string command =
         fmt::format("libration find --problem \"{}\" --unknown \"{}\" --digits {}", asked.text, asked.name, digits);
+    for (const std::string& each : asked.others) {
+        command += fmt::format(" --unknown \"{}\"", each);
+    }
     for (const std::string& each : asked.limits) {
         command += fmt::format(" --such-that \"{}\"", each);
     }
     return answered(command, [&](outcome& result) {
         ode::connection_question question{ode::parse(asked.text), {asked.name}, {}, {}, digits};
+        question.unknowns.insert(question.unknowns.end(), asked.others.begin(), asked.others.end());
         for (const std::string& each : asked.limits) {
             question.limits.push_back(ode::parse_limit(question.system, each));
         }

@@ -88,6 +88,35 @@ TEST_CASE("equal rates in closed form", "[ode][proved]") {
     CHECK(within_a_unit(driven.values[1], sqrt(ball(2)), 20));
 }
 
+// T = 1 - f' for the factor 1; other factors from tests/reference/carried_heat.py.
+TEST_CASE("heat carried by a boundary layer", "[ode][proved]") {
+    const auto heat = [](const std::string& factor) {
+        return connected(
+            "f''' + f*f'' = 0; T'' + " + factor + "*f*T' = 0; f(0) = 0; f'(0) = 0; T(0) = 1; T(inf) = 0; f'(inf) = 1",
+            {"f''(0)", "T'(0)=-1"}, 24);
+    };
+    CHECK(heat("1").values[1].text == "-0.469599988361013304509334");
+    CHECK(heat("(1/10)").values[1].text == "-0.198031477583237237433707");
+    CHECK(heat("(7/10)").values[1].text == "-0.413912340273245044140562");
+    CHECK(heat("1").values[0].text == "0.469599988361013304509334");
+    // With the flux given: T(0) = 3 + 2/0.4695.., in the other order of the unknowns.
+    const precision_scope scope(60);
+    const auto wall =
+        connected("f''' + f*f'' = 0; T'' + f*T' = 0; f(0) = 0; f'(0) = 0; T'(0) = -2; T(inf) = 3; f'(inf) = 1",
+                  {"T(0)=1", "f''(0)"}, 20);
+    CHECK(
+        within_a_unit(wall.values[0], ball(3) + ball(2) / ball(mpfr("0.46959998836101330450933365344758845872")), 20));
+    // A quantity that does not decay by itself, and a slope that depends on the unknown.
+    CHECK_THROWS_AS(
+        connected("f''' + f*f'' = 0; T'' - f*T' = 0; f(0) = 0; f'(0) = 0; T(0) = 1; T(inf) = 0; f'(inf) = 1",
+                  {"f''(0)", "T'(0)=-1"}, 20),
+        error);
+    CHECK_THROWS_AS(connected("f''' + f*f'' = 0; T'' + f*T' = 0; f(0) = 0; f'(0) = 0; T(0) = 1 + T'(0); T'(0) = 1; "
+                              "T(inf) = 0; f'(inf) = 1",
+                              {"f''(0)", "T'(0)=-1"}, 20),
+                    error);
+}
+
 TEST_CASE("von Karman's swirling flow, with two equal rates", "[ode][proved]") {
     // [INFINITY: 45 digits of another program, prototypes/infinity/karman.py]
     const auto disk = connected(

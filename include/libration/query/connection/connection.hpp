@@ -24,6 +24,7 @@ struct connection {
     std::vector<proved_decimal> values;
     std::string proved;  ///< a sentence
     std::string not_claimed;
+    double time = 0;  ///< from where on the solution is on the manifold
 };
 
 /// Connecting orbits [docs/theorems/infinity.md; vandenBerg2011]: with the flow Phi_T from the initial values, or
@@ -31,7 +32,7 @@ struct connection {
 /// of the equilibrium at inf (theorem W, manifold/invariant_manifold.hpp), Krawczyk's test for
 ///     Phi_T(x, theta^-) = P^+(theta^+; x)
 /// proves that exactly one (x, theta) in a box solves it: that solution tends to the equilibrium exponentially. The
-/// equilibria are those of far_state_of(). Throws error of the subject "conditions" for limits that are not those of an
+/// equilibria are those of far_state_of(). Boundary layers, and quantities that they carry, have limits of other kinds (theorem Y). Throws error of the subject "conditions" for limits that are not those of an
 /// equilibrium, of "unknowns" for another number of unknowns than the dimensions of the manifolds require, and of "first
 /// guess" where no solution is found.
 connection proved_connection(const connection_question& question, const proof_route& route = {},

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "candidate.hpp"
+#include "carried_connection.hpp"
 #include "first_guesses.hpp"
 #include "layer_connection.hpp"
 #include "libration/algebra/krawczyk.hpp"
@@ -154,8 +155,7 @@ private:
     std::optional<std::vector<double>> found() {
         const auto all = attempts();
         if (all.empty()) {
-            refuse_guess(
-                "is not found: at the first guess, the equilibrium has no invariant manifold that is proved");
+            refuse_guess("is not found: at the first guess, the equilibrium has no invariant manifold that is proved");
         }
         for (const attempt& each : all) {
             if (auto x = candidate_from(map_, each.numbers, each.side)) {
@@ -227,6 +227,7 @@ private:
                         "stable manifold at t = " + time_text() + ", from where it tends to the limits exponentially";
         result.not_claimed = "that there are no other values of " + names +
                              ", or that solutions that tend to the limits in another way are excluded";
+        result.time = map_.direction() * map_.time;
         return result;
     }
 
@@ -250,8 +251,11 @@ private:
 }  // namespace
 
 connection proved_connection(const connection_question& question, const proof_route& route, const march_watch& watch) {
-    return is_layer(question) ? proved_layer(question, route, watch)
-                              : connection_search(question, route, watch).result();
+    if (is_layer(question)) {
+        return proved_layer(question, route, watch);
+    }
+    return is_carried(question) ? proved_carried(question, route, watch)
+                                : connection_search(question, route, watch).result();
 }
 
 }  // namespace libration::ode
