@@ -1408,6 +1408,11 @@ FAULTS = [
          "        if (open_in(e).empty()) {"),
     ),
     *in_file(
+        "src/libration/query/connection/connection.cpp", ["query/connection/connection_test.cpp"],
+        ("an amplitude at another time", "constant_value<ball>::of(map_.open().system.point()) * map_.direction() + exactly(map_.time)",
+         "exactly(map_.time)"),
+    ),
+    *in_file(
         "src/libration/query/connection/carried_connection.cpp", ["query/connection/connection_test.cpp"],
         ("the heat beyond the last time forgotten", "(*state)[each.places[1]] * rest_of_integral(*state, each)", "ball(0)"),
     ),

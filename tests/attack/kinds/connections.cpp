@@ -104,6 +104,18 @@ asked_connection of_front(choices& next) {
             30};
 }
 
+// y^2 = x^2 - x^3 is an orbit from 0 to 0 for c = a alone, whatever k > 0 is.
+asked_connection of_homoclinic(choices& next) {
+    const constant a = simple_constant(next);
+    const truth parameter = [=] { return a.value(); };
+    return {fmt::format("x' = y; y' = x-3/2*x^2+(c-{0})*y-{1}*y*(y^2-x^2+x^3); x(0) = 0; y(0) = 0; c = {2}", a.text,
+                        small(next), near_value(parameter, next)),
+            {"x(-inf) = 0", "y(-inf) = 0", "x(inf) = 0", "y(inf) = 0"},
+            "c",
+            parameter,
+            25};
+}
+
 // f = s + (1 - exp(-l t))/l, l^2 - s l - 1 - M = 0.
 asked_connection of_moving_wall(choices& next) {
     const constant s = simple_constant(next);
@@ -156,7 +168,7 @@ asked_connection of_heat(choices& next) {
 }
 
 asked_connection any_connection(choices& next) {
-    switch (next.below(8)) {
+    switch (next.below(9)) {
         case 0: return of_graph(next);
         case 1: return of_resonance(next);
         case 2: return of_soliton(next);
@@ -164,6 +176,7 @@ asked_connection any_connection(choices& next) {
         case 4: return of_moving_wall(next);
         case 5: return of_equal_rates(next);
         case 6: return of_heat(next);
+        case 7: return of_homoclinic(next);
         default: return of_layer(next);
     }
 }

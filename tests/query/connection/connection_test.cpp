@@ -44,7 +44,34 @@ bool within_a_unit(const proved_decimal& printed, const ball& number, long digit
     return certainly_less(abs(ball(value) - number), abs(number) * pow(ball(10), 1 - digits));
 }
 
+// Of connection::more.
+proved_decimal number_named(const connection& of, const std::string& name) {
+    for (const connection_number& each : of.more) {
+        if (each.name == name) {
+            return each.value;
+        }
+    }
+    return {"", ""};
+}
+
 }  // namespace
+
+// 2 sqrt 2 exp(-t), -4 exp(-t), and -2 exp(2 t) of tanh(-t) as t -> -inf; H(inf) as above.
+TEST_CASE("amplitudes, rates and free limits in closed form", "[ode][proved]") {
+    const precision_scope scope(60);
+    const auto soliton = connected("y'' = y - y^3; y'(0) = 0; y(inf) = 0", {"y(0)=1.4"}, 25);
+    CHECK(within_a_unit(number_named(soliton, "amplitude of y"), sqrt(ball(2)) * 2, 24));
+    CHECK(within_a_unit(number_named(soliton, "rate 1"), ball(1), 25));
+    const auto pendulum = connected("x'' = -sin(x); x(0) = 0; x(inf) = pi", {"x'(0)"}, 25);
+    CHECK(within_a_unit(number_named(pendulum, "amplitude of x"), ball(-4), 23));
+    const auto wall = connected("y'' = 2*y*(y^2 - 1); y(3) = 0; y(-inf) = 1", {"y'(3)=-0.9"}, 25);
+    CHECK(within_a_unit(number_named(wall, "amplitude of y"), exp(ball(-6)) * -2, 23));
+    CHECK(within_a_unit(number_named(wall, "rate 1"), ball(2), 25));
+    // f = 1 - exp(-t) from a wall that is stretched.
+    const auto crane = connected("f''' + f*f'' - f'^2 = 0; f(0) = 0; f'(0) = 1; f'(inf) = 0", {"f''(0)=-0.9"}, 25);
+    CHECK(within_a_unit(number_named(crane, "f(inf)"), ball(1), 25));
+    CHECK(within_a_unit(number_named(crane, "amplitude of f'"), ball(1), 23));
+}
 
 TEST_CASE("solutions that decay to an equilibrium in closed form", "[ode][proved]") {
     const precision_scope scope(80);
@@ -124,6 +151,9 @@ TEST_CASE("von Karman's swirling flow, with two equal rates", "[ode][proved]") {
         {"F'(0)=0.5", "G'(0)=-0.6"}, 20);
     CHECK(disk.values[0].text == "0.51023261886728488440");
     CHECK(disk.values[1].text == "-0.61592201439935396635");
+    CHECK(number_named(disk, "H(inf)").text == "-0.88447411020960242345");
+    CHECK(number_named(disk, "rate 2").text == "0.88447411020960242345");
+    CHECK(number_named(disk, "amplitude of F").text.empty());  // of two equal rates
 }
 
 TEST_CASE("two unknowns, and a pair of complex eigenvalues", "[ode][proved]") {

@@ -19,11 +19,21 @@ struct connection_question {
     long digits = 50;
 };
 
+/// A number that the proof yields together with the unknowns.
+struct connection_number {
+    std::string name;  ///< H(inf), rate 1, amplitude of y
+    proved_decimal value;
+};
+
 /// The unknowns, in order, and what is proved of them.
 struct connection {
     std::vector<proved_decimal> values;
     std::string proved;  ///< a sentence
     std::string not_claimed;
+    /// Free limits; the rates of decay d_j, minus the real parts of the eigenvalues that are followed, the slowest first; and for a solution with
+    /// initial values and one slowest rate d, a real one, the amplitudes A of the unknowns with limits, y = y(inf) + A exp(-d |t|) + smaller
+    /// terms. With as many digits as are proved; none for a boundary layer.
+    std::vector<connection_number> more;
     double time = 0;  ///< from where on the solution is on the manifold
 };
 

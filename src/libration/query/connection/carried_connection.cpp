@@ -4,6 +4,7 @@
 #include <array>
 
 #include "../../algebra/dense_matrix.hpp"
+#include "enclosed_decimal.hpp"
 #include "layer_connection.hpp"
 #include "layer_text.hpp"
 #include "libration/equation/first_order_form.hpp"
@@ -97,14 +98,6 @@ std::vector<expression> limits_of(const connection_question& question) {
         values.push_back(each.value);
     }
     return values;
-}
-
-ball enclosed(const proved_decimal& of) {
-    ball value;
-    ball error;
-    arb_set_str(value.handle(), of.text.c_str(), ball::working_bits());
-    arb_set_str(error.handle(), of.uncertainty.c_str(), ball::working_bits());
-    return widened(value, magnitude(error));
 }
 
 class carried_search {
