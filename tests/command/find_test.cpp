@@ -106,4 +106,19 @@ TEST_CASE("an unknown without a first value is reported with the option that giv
                   {"--unknown 'k' has no first value from which the search begins: add --guess k=1"});
 }
 
+// On the curve y^2 = x^2 - x^3 the last term vanishes, and it is an orbit for c = 1/3 alone.
+TEST_CASE("a homoclinic orbit is found from the equilibrium near the initial values", "[command][find]") {
+    const words orbit{"find", "--problem",
+                      "x' = y; y' = x - 3/2*x^2 + (c - 1/3)*y - y*(y^2 - x^2 + x^3); x(0) = 0.1; y(0) = 0; c = 0.32",
+                      "--homoclinic"};
+    const auto found = run_libration(orbit + words{"--unknown", "c", "--digits", "20"});
+    CHECK(found.out.find("0.33333333333333333333") != std::string::npos);
+    CHECK(found.err.find("rate 1: 1.000000000000000000") != std::string::npos);
+    check_refused(orbit, {"--unknown"});
+    check_refused(orbit + words{"--unknown", "c", "--such-that", "x(1) = 2"}, {"--homoclinic", "--such-that"});
+    check_refused({"find", "--problem", "x' = y; y' = x^2 - 2 + c*y; x(0) = 1.4; y(0) = 0; c = 0.32", "--homoclinic",
+                   "--unknown", "c"},
+                  {"1.41421", "x(-inf) = VALUE"});
+}
+
 }  // namespace command_find_test

@@ -1399,6 +1399,17 @@ FAULTS = [
          "    for (std::size_t m = last + 3; m <= top; ++m) {\n        for (std::size_t i = 0; i < defect_.size(); ++i) {"),
     ),
     *in_file(
+        "src/libration/manifold/manifold_tail.cpp", ["manifold/invariant_manifold_test.cpp"],
+        ("the linear terms of the motion in a block of equal rates forgotten", "for (int m = 1; m <= degree_; ++m) {\n            sum +=",
+         "for (int m = 2; m <= degree_; ++m) {\n            sum +="),
+    ),
+    *in_file(
+        "src/libration/manifold/manifold_terms.cpp", ["manifold/invariant_manifold_test.cpp"],
+        ("terms of a manifold without the coupling of equal rates", "    if (!is_coupled_) {\n        return;", "    if (m > 0) {\n        return;"),
+        ("the coupling of equal rates without the power", "ball(-each.exponents[j])", "ball(-1)"),
+        ("a box of terms taken that is not mapped into itself", "        if (inside) {", "        if (inside || round > 0) {"),
+    ),
+    *in_file(
         "src/libration/manifold/invariant_manifold.cpp", ["manifold/invariant_manifold_test.cpp"],
         ("the terms of the normal form forgotten", "    subtract_normal_form(result, m);\n", ""),
     ),
@@ -1419,6 +1430,15 @@ FAULTS = [
         "src/libration/query/connection/far_state.cpp", ["query/connection/connection_test.cpp"],
         ("limits that are not those of an equilibrium accepted", "        if (is_identically_zero(e)) {",
          "        if (open_in(e).empty()) {"),
+    ),
+    *in_file(
+        "src/libration/query/connection/connection.cpp", ["query/connection/connection_test.cpp"],
+        ("an amplitude at another time", "constant_value<ball>::of(map_.open().system.point()) * map_.direction() + exactly(map_.time)",
+         "exactly(map_.time)"),
+    ),
+    *in_file(
+        "src/libration/query/connection/carried_connection.cpp", ["query/connection/connection_test.cpp"],
+        ("the heat beyond the last time forgotten", "(*state)[each.places[1]] * rest_of_integral(*state, each)", "ball(0)"),
     ),
     *in_file(
         "src/libration/query/connection/layer_connection.cpp", ["query/connection/connection_test.cpp"],

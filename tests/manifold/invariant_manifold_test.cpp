@@ -128,6 +128,65 @@ TEST_CASE("a complex pair gives a real manifold", "[ode][proved]") {
     CHECK(overlaps(point.value[2].value.re, x * x + y * y));
 }
 
+// A Jordan block, nearly equal rates and equal ones beside the graph u = x y + y^3.
+TEST_CASE("multiple and nearly equal eigenvalues share a block", "[ode][proved]") {
+    const precision_scope scope(40);
+    for (const std::string rows : {"-x + y|-y", "-x|-y", "-x + y|-(1001/1000)*y", "-x + y/100|-y - x/100000",
+                                   "-x + y|-y - x/100000", "-(1001/1000)*x|-y"}) {
+        const std::string x = rows.substr(0, rows.find('|'));
+        const std::string y = rows.substr(rows.find('|') + 1);
+        const manifold_at_zero at("x' = " + x + "; y' = " + y + "; u' = 3*(u - x*y - y^3) + (" + x +
+                                      ")*y + (x + 3*y^2)*(" + y + "); x(0) = 0; y(0) = 0; u(0) = 0",
+                                  -2);
+        REQUIRE(at.plan.size() == 2);
+        REQUIRE(at.plan.blocks.size() == 1);
+        INFO(rows);
+        const auto manifold = at.to(7);
+        const auto tails = manifold.tails();
+        REQUIRE(tails);
+        const auto point = manifold.at({theta_of(rational(1, 3)), theta_of(rational(-1, 5))});
+        const ball& first = point.value[0].value.re;
+        const ball& second = point.value[1].value.re;
+        CHECK(overlaps(point.value[2].value.re, first * second + second * second * second));
+        CHECK(magnitude::radius_of(point.value[2].value.re).above() < 1e-30);
+        CHECK((*tails)[2].above() < 1e-30);
+    }
+}
+
+// Two equal pairs -1 +- 2 i, of which one drives the other.
+TEST_CASE("a double pair of complex eigenvalues gives a real manifold", "[ode][proved]") {
+    const precision_scope scope(40);
+    const manifold_at_zero at(
+        "x' = -x - 2*y + v; y' = 2*x - y; v' = -v - 2*w; w' = 2*v - w; u' = 3*u - 5*(v^2 + w^2); x(0) = 0; y(0) = 0; "
+        "v(0) = 0; "
+        "w(0) = 0; u(0) = 0",
+        -2);
+    REQUIRE(at.plan.size() == 4);
+    REQUIRE(at.plan.blocks.size() == 1);
+    REQUIRE(at.plan.begins_pair(2));
+    const auto manifold = at.to(4);
+    REQUIRE(manifold.tails());
+    const complex_ball first{from_rational<ball>(rational(1, 3)), from_rational<ball>(rational(1, 4))};
+    const complex_ball second{from_rational<ball>(rational(-1, 7)), from_rational<ball>(rational(1, 2))};
+    const auto point = manifold.at({first, conjugate(first), second, conjugate(second)});
+    for (const complex_jet& each : point.value) {
+        CHECK(contains_zero(each.value.im));
+    }
+    const ball& v = point.value[2].value.re;
+    const ball& w = point.value[3].value.re;
+    CHECK(overlaps(point.value[4].value.re, v * v + w * w));
+}
+
+// The hypothesis eta < alpha of theorem W: with a Jordan block whose entry is larger than the rate the motion in theta may grow first.
+TEST_CASE("no tail is proved for a block with large entries", "[ode][proved]") {
+    const precision_scope scope(40);
+    manifold_at_zero at("x' = -x + y; y' = -y; u' = u - x^2*y; x(0) = 0; y(0) = 0; u(0) = 0", -2);
+    REQUIRE(at.plan.blocks.size() == 1);
+    CHECK(at.to(12).tails());
+    at.plan.blocks[0].mixture = {{{0.5, 0}, {0, 0}}, {{0, 0}, {0.5, 0}}};  // the entry 1 again
+    CHECK_FALSE(at.to(12).tails());
+}
+
 // Outside of a domain of convergence no tail is proved: the columns are too long.
 TEST_CASE("no tail is proved where the series does not converge", "[ode][proved]") {
     const precision_scope scope(40);

@@ -28,6 +28,9 @@ answer find_unknowns(const problem& of, const std::vector<std::string>& unknowns
 /// spectrum. With request.check and callbacks as above.
 answer find_eigenvalues(const problem& of, const std::string& energy, const std::vector<std::string>& limits,
                         long count, const request& how);
+/// The conditions at infinity of an orbit from an equilibrium to itself, for find_unknowns(): x(-inf) = v and x(inf) = v, v the
+/// equilibrium near the initial values, in fractions. Throws error of the subject "problem" if none is found.
+std::vector<std::string> homoclinic_conditions(const problem& of);
 
 /// The values of a parameter or an initial value along which a branch is followed, as typed, at least two in one
 /// direction.

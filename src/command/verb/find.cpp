@@ -33,7 +33,7 @@ struct find_options {
     std::vector<std::string> unknowns, conditions, guesses;
     std::vector<std::string> without_guess;  // at infinity, where several values are tried
     std::optional<std::string> along, certificate, eigenvalue, count;
-    bool periodic = false, check = false;
+    bool periodic = false, homoclinic = false, check = false;
 };
 
 // What is typed for the unknowns and the conditions.
@@ -235,12 +235,20 @@ int run_find(find_options options) {
         require_output_place("--certificate", *options.certificate);
     }
     auto guesses = first_guesses(options.guesses, options.unknowns);
-    if (std::ranges::any_of(options.conditions, is_at_infinity)) {
+    if (options.homoclinic || std::ranges::any_of(options.conditions, is_at_infinity)) {
         give_first_values(options, guesses.front());
     }
     const auto along = options.along ? std::optional(read_along(options)) : std::nullopt;
     require_first_values(options, guesses.front(), along);
     const problem of(options.problem.equations(first_values(guesses.front(), along)));
+    if (options.homoclinic) {
+        problem near = of;
+        for (const std::string& each : guesses.front()) {
+            naming_option("--guess", [&] { near.set(each); });
+        }
+        const auto limits = homoclinic_conditions(near);
+        options.conditions.insert(options.conditions.end(), limits.begin(), limits.end());
+    }
     progress shown("find", guesses.size());
     const request how{.scalar = {scalar_kind::proved, digits},
                       .check = options.check,
@@ -329,13 +337,17 @@ subcommand find_command(CLI::App& program) {
     command->add_option("--count", options->count, "number of eigenvalues to find (default 1)")->type_name("K");
     command->add_flag("--periodic", options->periodic, "the periodic orbit near the initial values, and its period");
     command->add_flag(
+        "--homoclinic", options->homoclinic,
+        "the orbit from the equilibrium near the initial values to itself, and the --unknown for which there is one");
+    command->add_flag(
         "--check", options->check,
         "compare with a second proof by another route, exit 1 if they disagree; with --certificate also run "
         "its checker");
     return {command, [options] { return run_find(*options); },
             [options](std::string_view /*limits*/) {
                 const auto& typed = options->problem.problem();
-                return std::ranges::any_of(options->conditions, is_at_infinity) || (typed && is_at_infinity(*typed));
+                return options->homoclinic || std::ranges::any_of(options->conditions, is_at_infinity) ||
+                       (typed && is_at_infinity(*typed));
             }};
 }
 

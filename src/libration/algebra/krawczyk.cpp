@@ -18,8 +18,8 @@ namespace {
 constexpr int most_root_steps = 60;
 constexpr int most_boxes = 6;
 constexpr int most_proofs = 12;
-// The maximum number of proofs that fail for another reason than too few digits, each with half as many bits more: the
-// derivative has the same low precision in all of them.
+// The maximum number of proofs that fail for another reason than too few digits, each with half as many bits more, and with twice
+// the bits of the derivative, which loses digits where solutions diverge.
 constexpr int most_failed_proofs = 5;
 
 constexpr long digits_of_iterate = 10;
@@ -70,7 +70,7 @@ public:
                     reached = std::min(reached * 2, run.bits);
                     improve(reached);
                 }
-                const auto root = proved(run.bits);
+                const auto root = proved(run.bits, run_bits::usual_error_bits << failed);
                 if (++proofs > most_proofs || (!root && ++failed >= most_failed_proofs)) {
                     refuse_root("is not proved at any precision, as if it were not isolated", "change a condition");
                 }
@@ -151,9 +151,9 @@ private:
     }
 
     // The proved solution, by Krawczyk's test.
-    std::optional<std::vector<ball>> proved(long bits) {
+    std::optional<std::vector<ball>> proved(long bits, long error_bits) {
         const precision_scope scope(decimal_digits(bits));
-        const enclosed_map here = at(x_, bits, run_bits::usual_error_bits);
+        const enclosed_map here = at(x_, bits, error_bits);
         const auto inverse = inverse_near(here.derivative);
         if (!inverse) {
             refuse_guess("is not isolated: the derivative of the conditions is singular");
@@ -165,7 +165,7 @@ private:
             radii.push_back(magnitude(each) * magnitude(2U) + magnitude::of(1, -2 * bits));
         }
         for (int box = 0; box < most_boxes; ++box) {
-            if (auto root = krawczyk(*inverse, step, radii)) {
+            if (auto root = krawczyk(*inverse, step, radii, error_bits)) {
                 return root;
             }
             for (magnitude& each : radii) {
@@ -176,12 +176,12 @@ private:
     }
 
     std::optional<std::vector<ball>> krawczyk(const ball_matrix& inverse, const std::vector<ball>& step,
-                                              const std::vector<magnitude>& radii) {
+                                              const std::vector<magnitude>& radii, long error_bits) {
         std::vector<ball> box;
         for (std::size_t i = 0; i < x_.size(); ++i) {
             box.push_back(widened(x_[i], radii[i]));
         }
-        const auto over_box = f_(box, 2 * run_bits::usual_error_bits, run_bits::usual_error_bits);
+        const auto over_box = f_(box, 2 * error_bits, error_bits);
         if (!over_box) {
             return std::nullopt;
         }

@@ -9,16 +9,16 @@ namespace libration::ode {
 
 namespace {
 
-// Where |<m, d> - d_i| is below this part of alpha, the term is in the normal form.
-constexpr double nearly_resonant = 0.125;
-
 magnitude size_of(const complex_jet& x) { return size_of_complex(x.value); }
 
 }  // namespace
 
 invariant_manifold::invariant_manifold(const field_at_rest& field, const linear_frame& frame, const frame_plan& plan,
                                        int degree)
-    : degree_(degree), q_(frame.columns), rates_(frame.rates), plan_(plan) {
+    : degree_(degree), q_(frame.columns), plan_(plan) {
+    for (std::size_t j = 0; j < frame.inner.size(); ++j) {
+        rates_.push_back(frame.inner[j][j]);
+    }
     const auto inverse_of_frame = inverse(q_);
     if (!inverse_of_frame) {
         throw precision_exhausted("an inverse of eigenvectors");
@@ -29,10 +29,10 @@ invariant_manifold::invariant_manifold(const field_at_rest& field, const linear_
         outputs_.push_back(static_cast<std::size_t>(field.of->outputs()[i]));
         centre_.push_back(field.centre[i]);
     }
-    compute(field);
+    compute(field, frame.inner);
 }
 
-void invariant_manifold::compute(const field_at_rest& field) {
+void invariant_manifold::compute(const field_at_rest& field, const jet_matrix& inner) {
     const std::size_t n = centre_.size();
     const std::size_t k = rates_.size();
     jet_matrix slopes;
@@ -50,7 +50,8 @@ void invariant_manifold::compute(const field_at_rest& field) {
     b_ = product(inverse_, slopes);
     for (std::size_t i = 0; i < n; ++i) {
         for (std::size_t j = 0; j < k; ++j) {
-            b_[i][j] = i == j ? rates_[j] : complex_jet();  // the columns are eigenvectors
+            b_[i][j] = i < k ? inner[i][j] : complex_jet();  // the columns span an invariant subspace
+            is_coupled_ = is_coupled_ || (i != j && !b_[i][j].is_zero());
         }
     }
     p_.resize(n);
@@ -65,8 +66,11 @@ void invariant_manifold::compute(const field_at_rest& field) {
                 p_[i].back()[monomials_->step_of(i)] = complex_ball(ball(1), ball(0));
             }
         }
-        for (series& each : normal_) {
-            each.emplace_back(monomials_->places(m));
+        for (std::size_t i = 0; i < k; ++i) {
+            normal_[i].emplace_back(monomials_->places(m));
+            for (std::size_t j = 0; m == 1 && j < k; ++j) {
+                normal_[i].back()[monomials_->step_of(j)] = i == j ? complex_jet() : b_[i][j];
+            }
         }
         add_degree(field, m);
     }
@@ -180,70 +184,6 @@ void invariant_manifold::subtract_normal_form(std::vector<block>& rest, int m) c
                         rest[i][place].add_product(by, p_[i][static_cast<std::size_t>(of_p)][y.place]);
                     }
                 }
-            }
-        }
-    }
-}
-
-// The same for conjugate monomials: the summands of a pair are added first.
-bool invariant_manifold::is_resonant(const std::vector<int>& exponents, std::size_t i) const {
-    double re = 0;
-    double im = 0;
-    double alpha = INFINITY;
-    for (std::size_t j = 0; j < exponents.size(); ++j) {
-        alpha = std::min(alpha, -plan_.rates[j].real());
-        if (plan_.begins_pair(j)) {
-            re += plan_.rates[j].real() * (exponents[j] + exponents[j + 1]);
-            im += plan_.rates[j].imag() * (exponents[j] - exponents[j + 1]);
-        } else if (!plan_.ends_pair(j)) {
-            re += plan_.rates[j].real() * exponents[j];
-        }
-    }
-    return std::hypot(re - plan_.rates[i].real(), im - plan_.rates[i].imag()) < nearly_resonant * alpha;
-}
-
-void invariant_manifold::solve_degree(const field_at_rest& field, int m) {
-    const std::size_t n = centre_.size();
-    const std::size_t k = rates_.size();
-    const auto rest = residual(field, m);
-    for (std::size_t i = 0; i < n; ++i) {
-        p_[i].emplace_back(monomials_->places(m));
-    }
-    for (series& each : normal_) {
-        each.emplace_back(monomials_->places(m));
-    }
-    for (const auto& each : monomials_->of_degree(m)) {
-        complex_jet rate;
-        for (std::size_t j = 0; j < k; ++j) {
-            rate.add_product(complex_ball(ball(each.exponents[j]), ball(0)), rates_[j]);
-        }
-        if (n > k) {
-            jet_matrix others(n - k, std::vector<complex_jet>(n - k));
-            std::vector<complex_jet> right;
-            for (std::size_t i = k; i < n; ++i) {
-                for (std::size_t j = k; j < n; ++j) {
-                    others[i - k][j - k] = (i == j ? rate : complex_jet()) - b_[i][j];
-                }
-                right.push_back(rest[i][each.place]);
-            }
-            const auto by = inverse(others);
-            if (!by) {
-                throw precision_exhausted("a term of a manifold");
-            }
-            const auto found = product(*by, right);
-            for (std::size_t i = k; i < n; ++i) {
-                p_[i].back()[each.place] = found[i - k];
-            }
-        }
-        for (std::size_t i = 0; i < k; ++i) {
-            complex_jet sum = rest[i][each.place];
-            for (std::size_t j = k; j < n; ++j) {
-                sum.add_product(b_[i][j], p_[j].back()[each.place]);
-            }
-            if (is_resonant(each.exponents, i)) {
-                normal_[i].back()[each.place] = sum;
-            } else {
-                p_[i].back()[each.place] = sum * reciprocal(rate - rates_[i]);
             }
         }
     }

@@ -15,11 +15,12 @@ namespace libration::ode {
 /// y = P(theta) on the unit polydisc and theta' = h(theta), of a polynomial field at an equilibrium, by theorem W
 /// [THEOREMS: parameterization method, CabreFontichLlave2003]: P = y* + Q p + O(|theta|^(N+1)), where p(theta) = (theta, 0) + ..
 /// are polynomials of degree N for which the terms of degree <= N of B p + g(p) - Dp h vanish, B = Q^-1 A Q = diag(d) +
-/// R, g the terms of degree >= 2. With delta the other terms, alpha = min |Re d_s|, a_i = (N+1) alpha + Re d_i > 0, h~ = h
-/// - d theta, eta = max ||h~_j||, c_i = max(1/alpha, (N+1)/a_i), norms ||.|| the sums of the sizes of all coefficients: if
+/// R, R_us = 0, g the terms of degree >= 2. With delta the other terms, alpha = min |Re d_s|, a_i = (N+1) alpha + Re d_i > 0, h~ = h
+/// - d theta, which begins with R_ss theta, eta = max ||h~_j||, c_i = max(1/alpha, (N+1)/a_i), norms ||.|| the sums of the sizes of all coefficients: if
 ///     (||delta_i|| + sum_j |R_ij| s_j + G_i(s))/a_i + c_i eta s_i < s_i  for all i,  ||g_i(p+e) - g_i(p)|| <= G_i(s) for ||e|| <= s,
 /// P exists, is unique, and |P - y* - Q p|_i <= (|Q| s)_i |theta|^(N+1), |theta| = max |theta_j| <= 1. It holds for each
-/// point of the balls. A resonant or nearly resonant term of the first rows is in h~, which is else 0; if eta < alpha,
+/// point of the balls. A resonant or nearly resonant term of the first rows is in h~, which else is R_ss theta, and 0 without nearly
+/// equal eigenvalues; if eta < alpha,
 /// y(t) = P(theta(t)) tends to y* for |theta(0)| < 1.
 class invariant_manifold {
 public:
@@ -33,6 +34,7 @@ public:
 
     std::size_t variables() const { return monomials_->variables(); }
     int degree() const { return degree_; }
+    /// The diagonal d_s.
     const std::vector<complex_jet>& rates() const { return rates_; }
 
     struct point {
@@ -45,13 +47,16 @@ private:
     using block = std::vector<complex_jet>;  // the terms of one degree, by place
     using series = std::vector<block>;       // by degree
 
-    void compute(const field_at_rest& field);
+    void compute(const field_at_rest& field, const jet_matrix& inner);
     void add_degree(const field_at_rest& field, int m);
     void bound_defect();
     void solve_degree(const field_at_rest& field, int m);
+    void solve_terms(const std::vector<block>& right, const std::vector<jet_matrix>& by, int m);
+    std::vector<block> coupled(const std::vector<block>& rest, const std::vector<block>& p, int m) const;
     block nonlinear_part(std::size_t step, int m);
     void add_convolution(block& sum, const series& a, const series& b, int m) const;
     std::vector<block> residual(const field_at_rest& field, int m);
+    complex_jet rate_of(const std::vector<int>& exponents) const;
     bool is_resonant(const std::vector<int>& exponents, std::size_t i) const;
     void subtract_normal_form(std::vector<block>& rest, int m) const;
     magnitude norm_of_degree(const series& of, int m) const;
@@ -62,6 +67,7 @@ private:
     std::vector<complex_jet> centre_;
     jet_matrix q_, inverse_, b_;
     std::vector<complex_jet> rates_;
+    bool is_coupled_ = false;  // R_ss != 0
     frame_plan plan_;
     std::vector<linear_step> linear_;
     std::vector<std::size_t> outputs_;  // the steps of the slopes of the moving unknowns

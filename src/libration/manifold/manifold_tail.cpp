@@ -126,7 +126,7 @@ std::optional<std::vector<magnitude>> invariant_manifold::tails() const {
     magnitude eta;
     for (const series& each : normal_) {
         magnitude sum;
-        for (int m = 2; m <= degree_; ++m) {
+        for (int m = 1; m <= degree_; ++m) {
             sum += norm_of_degree(each, m);
         }
         eta = std::max(eta, sum);
@@ -158,8 +158,10 @@ std::optional<std::vector<magnitude>> invariant_manifold::tails() const {
         std::vector<magnitude> next;
         for (std::size_t i = 0; i < n; ++i) {
             magnitude sum = defect_[i] + more[i];
-            for (std::size_t j = k; j < n; ++j) {
-                sum.add_product(size_of_complex(i == j ? b_[i][j].value - d[i] : b_[i][j].value), s[j]);
+            for (std::size_t j = 0; j < n; ++j) {
+                if (i != j || i >= k) {
+                    sum.add_product(size_of_complex(i == j ? b_[i][j].value - d[i] : b_[i][j].value), s[j]);
+                }
             }
             const magnitude now = sum / a[i] + c[i] * eta * s[i];
             inside = inside && now < s[i];

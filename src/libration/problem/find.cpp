@@ -5,6 +5,7 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "../query/connection/homoclinic_limits.hpp"
 #include "libration/equation/constant_value.hpp"
 #include "libration/equation/text/parse.hpp"
 #include "libration/number/two_proofs.hpp"
@@ -92,6 +93,9 @@ answer connection_found(const problem& of, const std::vector<std::string>& unkno
         const auto found =
             about(error_subject::unknowns, [&] { return ode::proved_connection(question, route, watch_of(how)); });
         notes = {{"proved", found.proved}, {"not claimed", found.not_claimed}};
+        for (const ode::connection_number& each : found.more) {
+            notes.push_back({each.name, each.value.text});
+        }
         return found_values{unknowns, found.values};
     });
     result.notes = std::move(notes);
@@ -314,6 +318,10 @@ answer find_eigenvalues(const problem& of, const std::string& energy, const std:
         names.push_back(energy + "_" + std::to_string(each.index));
     }
     return answer_of(found, names);
+}
+
+std::vector<std::string> homoclinic_conditions(const problem& of) {
+    return ode::homoclinic_limits(ode::explicit_system(of.equations()));
 }
 
 answer find_periodic_orbit(const problem& of, const request& how) {

@@ -44,7 +44,34 @@ bool within_a_unit(const proved_decimal& printed, const ball& number, long digit
     return certainly_less(abs(ball(value) - number), abs(number) * pow(ball(10), 1 - digits));
 }
 
+// Of connection::more.
+proved_decimal number_named(const connection& of, const std::string& name) {
+    for (const connection_number& each : of.more) {
+        if (each.name == name) {
+            return each.value;
+        }
+    }
+    return {"", ""};
+}
+
 }  // namespace
+
+// 2 sqrt 2 exp(-t), -4 exp(-t), and -2 exp(2 t) of tanh(-t) as t -> -inf; H(inf) as above.
+TEST_CASE("amplitudes, rates and free limits in closed form", "[ode][proved]") {
+    const precision_scope scope(60);
+    const auto soliton = connected("y'' = y - y^3; y'(0) = 0; y(inf) = 0", {"y(0)=1.4"}, 25);
+    CHECK(within_a_unit(number_named(soliton, "amplitude of y"), sqrt(ball(2)) * 2, 24));
+    CHECK(within_a_unit(number_named(soliton, "rate 1"), ball(1), 25));
+    const auto pendulum = connected("x'' = -sin(x); x(0) = 0; x(inf) = pi", {"x'(0)"}, 25);
+    CHECK(within_a_unit(number_named(pendulum, "amplitude of x"), ball(-4), 23));
+    const auto wall = connected("y'' = 2*y*(y^2 - 1); y(3) = 0; y(-inf) = 1", {"y'(3)=-0.9"}, 25);
+    CHECK(within_a_unit(number_named(wall, "amplitude of y"), exp(ball(-6)) * -2, 23));
+    CHECK(within_a_unit(number_named(wall, "rate 1"), ball(2), 25));
+    // f = 1 - exp(-t) from a wall that is stretched.
+    const auto crane = connected("f''' + f*f'' - f'^2 = 0; f(0) = 0; f'(0) = 1; f'(inf) = 0", {"f''(0)=-0.9"}, 25);
+    CHECK(within_a_unit(number_named(crane, "f(inf)"), ball(1), 25));
+    CHECK(within_a_unit(number_named(crane, "amplitude of f'"), ball(1), 23));
+}
 
 TEST_CASE("solutions that decay to an equilibrium in closed form", "[ode][proved]") {
     const precision_scope scope(80);
@@ -74,6 +101,59 @@ TEST_CASE("layers with lines of equilibria, and with an unknown that grows", "[o
     // [INFINITY, Sakiadis: prototypes/infinity]
     const auto sakiadis = connected("f''' + f*f''/2 = 0; f(0) = 0; f'(0) = 1; f'(inf) = 0", {"f''(0)"}, 30);
     CHECK(sakiadis.values[0].text == "-0.443748313368861051119832843850");
+}
+
+// y = sqrt 2 sech t has the rate 1, as w = -3 y; w = t y' + y solves the last one, with a Jordan block: w'' - w has the term 2 y.
+TEST_CASE("equal rates in closed form", "[ode][proved]") {
+    const precision_scope scope(60);
+    const std::string soliton = "y'' = y - y^3; y'(0) = 0; w'(0) = 0; y(inf) = 0; w(inf) = 0; w'' = w + ";
+    const auto equal = connected(soliton + "3*y^3", {"y(0)=1.4", "w(0)=-4"}, 20);
+    CHECK(within_a_unit(equal.values[0], sqrt(ball(2)), 20));
+    CHECK(within_a_unit(equal.values[1], sqrt(ball(2)) * -3, 20));
+    const auto driven = connected(soliton + "2*y - 3*y^2*w", {"y(0)=1.4", "w(0)=1.4"}, 20);
+    CHECK(within_a_unit(driven.values[0], sqrt(ball(2)), 20));
+    CHECK(within_a_unit(driven.values[1], sqrt(ball(2)), 20));
+}
+
+// T = 1 - f' for the factor 1; other factors from tests/reference/carried_heat.py.
+TEST_CASE("heat carried by a boundary layer", "[ode][proved]") {
+    const auto heat = [](const std::string& factor) {
+        return connected(
+            "f''' + f*f'' = 0; T'' + " + factor + "*f*T' = 0; f(0) = 0; f'(0) = 0; T(0) = 1; T(inf) = 0; f'(inf) = 1",
+            {"f''(0)", "T'(0)=-1"}, 24);
+    };
+    CHECK(heat("1").values[1].text == "-0.469599988361013304509334");
+    CHECK(heat("(1/10)").values[1].text == "-0.198031477583237237433707");
+    CHECK(heat("(7/10)").values[1].text == "-0.413912340273245044140562");
+    CHECK(heat("1").values[0].text == "0.469599988361013304509334");
+    // With the flux given: T(0) = 3 + 2/0.4695.., in the other order of the unknowns.
+    const precision_scope scope(60);
+    const auto wall =
+        connected("f''' + f*f'' = 0; T'' + f*T' = 0; f(0) = 0; f'(0) = 0; T'(0) = -2; T(inf) = 3; f'(inf) = 1",
+                  {"T(0)=1", "f''(0)"}, 20);
+    CHECK(
+        within_a_unit(wall.values[0], ball(3) + ball(2) / ball(mpfr("0.46959998836101330450933365344758845872")), 20));
+    // A quantity that does not decay by itself, and a slope that depends on the unknown.
+    CHECK_THROWS_AS(
+        connected("f''' + f*f'' = 0; T'' - f*T' = 0; f(0) = 0; f'(0) = 0; T(0) = 1; T(inf) = 0; f'(inf) = 1",
+                  {"f''(0)", "T'(0)=-1"}, 20),
+        error);
+    CHECK_THROWS_AS(connected("f''' + f*f'' = 0; T'' + f*T' = 0; f(0) = 0; f'(0) = 0; T(0) = 1 + T'(0); T'(0) = 1; "
+                              "T(inf) = 0; f'(inf) = 1",
+                              {"f''(0)", "T'(0)=-1"}, 20),
+                    error);
+}
+
+TEST_CASE("von Karman's swirling flow, with two equal rates", "[ode][proved]") {
+    // [INFINITY: 45 digits of another program, prototypes/infinity/karman.py]
+    const auto disk = connected(
+        "F'' = F^2 - G^2 + F'*H; G'' = 2*F*G + H*G'; H' = -2*F; F(0) = 0; G(0) = 1; H(0) = 0; F(inf) = 0; G(inf) = 0",
+        {"F'(0)=0.5", "G'(0)=-0.6"}, 20);
+    CHECK(disk.values[0].text == "0.51023261886728488440");
+    CHECK(disk.values[1].text == "-0.61592201439935396635");
+    CHECK(number_named(disk, "H(inf)").text == "-0.88447411020960242345");
+    CHECK(number_named(disk, "rate 2").text == "0.88447411020960242345");
+    CHECK(number_named(disk, "amplitude of F").text.empty());  // of two equal rates
 }
 
 TEST_CASE("two unknowns, and a pair of complex eigenvalues", "[ode][proved]") {

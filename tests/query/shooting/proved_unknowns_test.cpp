@@ -51,6 +51,15 @@ TEST_CASE("unknown parameters and starts with conditions in closed form", "[ode]
     CHECK(within_a_unit(two[1], ball(1) / (a + b), 40));
 }
 
+// f''' + f f'' - (1 - f'^2)/10 = 0: at 14 the condition f' = 1 gives the digits of f'(inf) = 1, exponentially [INFINITY, section 7]. The
+// derivative of the solution changes by a factor 10^30 on the way.
+TEST_CASE("a condition beyond a time at which derivatives in few bits have no digits", "[ode][proved]") {
+    const auto slope =
+        proved_unknowns(parse("f''' + f*f'' - (1 - f'^2)/10 = 0; f(0) = 0; f'(0) = 0; f''(0) = s; s = 0.32"), {"s"},
+                        {{"f", 1, number(rational(14)), number(rational(1))}}, 20);
+    CHECK(slope[0].text == "0.31926975984254337012");
+}
+
 // x = p + (1 - p) e^(p - t) is 1/2 at 2 for p = 0.377..., and for p = 0.356... if the initial point stays at 0.5.
 TEST_CASE("an initial point is not an unknown", "[ode][proved]") {
     CHECK_THROWS_WITH(proved_unknowns(parse("x' = -x + p; x(p) = 1; p = 1/2"), {"p"},

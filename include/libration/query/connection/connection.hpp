@@ -19,11 +19,22 @@ struct connection_question {
     long digits = 50;
 };
 
+/// A number that the proof yields together with the unknowns.
+struct connection_number {
+    std::string name;  ///< H(inf), rate 1, amplitude of y
+    proved_decimal value;
+};
+
 /// The unknowns, in order, and what is proved of them.
 struct connection {
     std::vector<proved_decimal> values;
     std::string proved;  ///< a sentence
     std::string not_claimed;
+    /// Free limits; the rates of decay d_j, minus the real parts of the eigenvalues that are followed, the slowest first; and for a solution with
+    /// initial values and one slowest rate d, a real one, the amplitudes A of the unknowns with limits, y = y(inf) + A exp(-d |t|) + smaller
+    /// terms. With as many digits as are proved; none for a boundary layer.
+    std::vector<connection_number> more;
+    double time = 0;  ///< from where on the solution is on the manifold
 };
 
 /// Connecting orbits [docs/theorems/infinity.md; vandenBerg2011]: with the flow Phi_T from the initial values, or
@@ -31,7 +42,7 @@ struct connection {
 /// of the equilibrium at inf (theorem W, manifold/invariant_manifold.hpp), Krawczyk's test for
 ///     Phi_T(x, theta^-) = P^+(theta^+; x)
 /// proves that exactly one (x, theta) in a box solves it: that solution tends to the equilibrium exponentially. The
-/// equilibria are those of far_state_of(). Throws error of the subject "conditions" for limits that are not those of an
+/// equilibria are those of far_state_of(). Boundary layers, and quantities that they carry, have limits of other kinds (theorem Y). Throws error of the subject "conditions" for limits that are not those of an
 /// equilibrium, of "unknowns" for another number of unknowns than the dimensions of the manifolds require, and of "first
 /// guess" where no solution is found.
 connection proved_connection(const connection_question& question, const proof_route& route = {},

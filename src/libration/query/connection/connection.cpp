@@ -2,12 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
+#include "../../algebra/dense_matrix.hpp"
 #include "candidate.hpp"
+#include "carried_connection.hpp"
+#include "enclosed_decimal.hpp"
 #include "first_guesses.hpp"
 #include "layer_connection.hpp"
 #include "libration/algebra/krawczyk.hpp"
 #include "libration/scalar/ball/decimal.hpp"
+#include "libration/scalar/ball/functions.hpp"
+#include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/decimal.hpp"
 #include "libration/scalar/error.hpp"
 
@@ -17,6 +23,9 @@ namespace {
 
 constexpr std::size_t most_tried = 12;
 constexpr std::size_t few_values = 7;
+constexpr long digits_beside = 30;
+constexpr long least_digits_beside = 3;
+
 std::string count_of(std::size_t n, const std::string& what) {
     return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
 }
@@ -154,9 +163,7 @@ private:
     std::optional<std::vector<double>> found() {
         const auto all = attempts();
         if (all.empty()) {
-            refuse_guess(
-                "is not found: at the first guess, the equilibrium has no invariant manifold that is proved, as "
-                "for multiple eigenvalues");
+            refuse_guess("is not found: at the first guess, the equilibrium has no invariant manifold that is proved");
         }
         for (const attempt& each : all) {
             if (auto x = candidate_from(map_, each.numbers, each.side)) {
@@ -228,7 +235,59 @@ private:
                         "stable manifold at t = " + time_text() + ", from where it tends to the limits exponentially";
         result.not_claimed = "that there are no other values of " + names +
                              ", or that solutions that tend to the limits in another way are excluded";
+        result.time = map_.direction() * map_.time;
+        add_numbers(result, roots);
         return result;
+    }
+
+    void add_numbers(connection& result, const std::vector<known_value>& roots) const {
+        const precision_scope scope(question_.digits + digits_beside);
+        const auto names = map_.names(question_.unknowns);
+        std::vector<ball> x;
+        for (const known_value& each : roots) {
+            x.push_back(each.decimal ? enclosed(*each.decimal) : widened(ball(0), magnitude(ball_of_text(each.bound))));
+        }
+        for (std::size_t i = map_.numbers(); i < map_.numbers() + map_.coordinates(); ++i) {
+            if (roots[i].decimal) {
+                result.more.push_back({names[i], *roots[i].decimal});
+            }
+        }
+        const auto decay = map_.right().decay_at(map_.numbers_of_right(x));
+        if (!decay) {
+            return;
+        }
+        std::vector<std::size_t> order(decay->rates.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::ranges::stable_sort(order, {}, [&](std::size_t j) { return -as_double(decay->rates[j].re); });
+        for (std::size_t k = 0; k < order.size(); ++k) {
+            add_number(result, "rate " + std::to_string(k + 1), -decay->rates[order[k]].re);
+        }
+        const std::size_t slowest = order.front();
+        const bool is_slowest = std::ranges::all_of(order, [&](std::size_t j) {
+            return j == slowest || certainly_less(decay->rates[j].re, decay->rates[slowest].re);
+        });
+        if (map_.has_two_ends() || !decay->alone[slowest] || !is_slowest) {
+            return;
+        }
+        const ball theta = x[map_.size() - map_.right().variables() + slowest];
+        const ball since = constant_value<ball>::of(map_.open().system.point()) * map_.direction() + exactly(map_.time);
+        for (const limit_condition& each : question_.limits) {
+            const auto place = std::ranges::find(map_.form().names, primed(each.of.name(), each.of.derivative()));
+            const auto moving =
+                std::ranges::find(map_.right().moving(), static_cast<std::size_t>(place - map_.form().names.begin()));
+            if (moving != map_.right().moving().end()) {
+                const auto row = static_cast<std::size_t>(moving - map_.right().moving().begin());
+                add_number(result, "amplitude of " + *place,
+                           theta * decay->columns[row][slowest].re * exp(-decay->rates[slowest].re * since));
+            }
+        }
+    }
+
+    void add_number(connection& result, const std::string& name, const ball& value) const {
+        const long digits = proved_digits(value, question_.digits);
+        if (digits >= least_digits_beside && !contains_zero(value)) {
+            result.more.push_back({name, *to_proved_decimal(value, digits)});
+        }
     }
 
     std::string time_text() const {
@@ -251,8 +310,11 @@ private:
 }  // namespace
 
 connection proved_connection(const connection_question& question, const proof_route& route, const march_watch& watch) {
-    return is_layer(question) ? proved_layer(question, route, watch)
-                              : connection_search(question, route, watch).result();
+    if (is_layer(question)) {
+        return proved_layer(question, route, watch);
+    }
+    return is_carried(question) ? proved_carried(question, route, watch)
+                                : connection_search(question, route, watch).result();
 }
 
 }  // namespace libration::ode

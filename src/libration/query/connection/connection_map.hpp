@@ -43,6 +43,7 @@ public:
     /// The numbers on which an end depends: of all unknowns.
     std::vector<double> right_numbers(const std::vector<double>& x) const;
 
+    std::vector<ball> numbers_of_right(const std::vector<ball>& x) const;
     /// The state at the start for first guesses, in double.
     std::vector<double> start_near(const std::vector<double>& x) const;
 
@@ -60,7 +61,6 @@ private:
     std::optional<start> start_at(const std::vector<ball>& x, long bits) const;
     std::optional<start> start_on_manifold(const std::vector<ball>& x, long bits) const;
     std::vector<ball> numbers_of_left(const std::vector<ball>& x) const;
-    std::vector<ball> numbers_of_right(const std::vector<ball>& x) const;
     std::size_t left_coordinates() const { return left_ ? left_->rest().coordinates.size() : 0; }
     std::size_t right_coordinates() const { return right_->rest().coordinates.size(); }
     bool has_angle() const { return left_ && left_->variables() == 2; }

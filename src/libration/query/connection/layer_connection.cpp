@@ -318,6 +318,7 @@ private:
                         ", and no other one near it for which the solution decays at that rate from t = " +
                         to_decimal(mpfr(time_), 6) + " on";
         result.not_claimed = "that there is no other value of " + name;
+        result.time = time_;
         return result;
     }
 

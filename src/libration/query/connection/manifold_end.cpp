@@ -143,6 +143,43 @@ std::vector<double> manifold_end::theta_near(const std::vector<double>& numbers,
     return result;
 }
 
+// By Gershgorin's theorem for the block in B_ss.
+std::optional<manifold_end::decay> manifold_end::decay_at(const std::vector<ball>& numbers) const {
+    const auto frame = enclosed_frame(linear_part(field(complex_of(numbers), false)), plan_);
+    if (!frame) {
+        return std::nullopt;
+    }
+    decay result{std::vector<complex_ball>(plan_.size()), {}, std::vector<bool>(plan_.size())};
+    for (const frame_block& block : plan_.blocks) {
+        std::optional<complex_ball> all;
+        for (const std::size_t j : block.columns) {
+            magnitude beside;
+            for (const std::size_t l : block.columns) {
+                if (l != j) {
+                    beside += size_of_complex(frame->inner[j][l].value);
+                }
+            }
+            const complex_ball& at = frame->inner[j][j].value;
+            const complex_ball disc(widened(at.re, beside), widened(at.im, beside));
+            all = all ? complex_ball(hull(all->re, disc.re), hull(all->im, disc.im)) : disc;
+        }
+        for (const std::size_t j : block.columns) {
+            result.rates[j] = *all;
+            result.alone[j] = block.columns.size() == 1 && !plan_.begins_pair(j);
+            if (plan_.begins_pair(j)) {
+                result.rates[j + 1] = conjugate(*all);
+            }
+        }
+    }
+    for (std::size_t i = 0; i < given_moving_.size(); ++i) {
+        auto& row = result.columns.emplace_back();
+        for (std::size_t j = 0; j < plan_.size(); ++j) {
+            row.push_back(frame->columns[i][j].value);
+        }
+    }
+    return result;
+}
+
 std::optional<invariant_manifold> manifold_end::series(const std::vector<complex_ball>& numbers, bool slopes,
                                                        int degree) const {
     const field_at_rest here = field(numbers, slopes);

@@ -36,6 +36,14 @@ public:
     double good_radius() const;
     int least_degree() const;
 
+    /// For all numbers of a box: the eigenvalue of each column, one that contains all of them in blocks of several, and the columns.
+    struct decay {
+        std::vector<complex_ball> rates;
+        std::vector<std::vector<complex_ball>> columns;  ///< by rows: of moving()
+        std::vector<bool> alone;  ///< whether the column is a real eigenvector in a block of its own
+    };
+    std::optional<decay> decay_at(const std::vector<ball>& numbers) const;
+
     struct enclosed {
         std::vector<ball> value;  ///< of moving()
         ball_matrix by_numbers;   ///< rows: of moving()
