@@ -59,6 +59,8 @@ const std::vector<statement_kind>& statement_kinds() {
         {"count", "events before a time", 100, ask_count},
         {"unknown", "parameters and starts that meet a condition", 50, ask_unknown},
         {"periodic orbit", "period and start", 2, ask_orbit},
+        {"orbit of a family", "period of a system with integrals, and multipliers behind other coordinates", 4,
+         ask_family},
         {"radius", "bounds of a radius of convergence", 4, ask_radius},
         {"position", "singularities within a distance", 4, ask_position},
         {"coefficient", "lists of Taylor coefficients, one for each unknown", 129, ask_coefficient},

@@ -36,6 +36,7 @@ outcome ask_event(choices& next);
 outcome ask_count(choices& next);
 outcome ask_unknown(choices& next);
 outcome ask_orbit(choices& next);
+outcome ask_family(choices& next);
 outcome ask_radius(choices& next);
 outcome ask_position(choices& next);
 outcome ask_coefficient(choices& next);

@@ -1151,6 +1151,29 @@ FAULTS = [
         ("the test of Krawczyk passed over", "if (!(reach < radii[i])) {", "if (false) {"),
     ),
     *in_file(
+        "src/libration/query/shooting/orbit_map.cpp", ["query/shooting/periodic_orbit_test.cpp"],
+        ("the motion of half the period", "row.push_back(half ? end->slope[i] / 2 : end->slope[i]);",
+         "row.push_back(half ? end->slope[i] * 2 : -end->slope[i]);"),
+        ("a whole period taken for half of it", "conditions_.reversal.empty() ? period : period / 2",
+         "conditions_.reversal.empty() ? period : period * 1"),
+    ),
+    *in_file(
+        "src/libration/equation/power_sum.cpp", ["equation/first_integrals_test.cpp"],
+        ("the root of a square without its sign", "numerator(product.front().second) % 2 != 0);", "true);"),
+        ("whole powers that are not expanded", "smallest.try_emplace(part_below_one(exponent), exponent);",
+         "smallest.try_emplace(exponent, exponent);"),
+        ("fractions of exponents confused", "return q - rational(whole);", "return rational(0);"),
+    ),
+    *in_file(
+        "src/libration/query/shooting/known_directions.cpp", ["query/shooting/periodic_orbit_test.cpp"],
+        ("the direction of the orbit forgotten", "fields_.push_back({form.slopes, {}});", ""),
+    ),
+    *in_file(
+        "src/libration/query/shooting/multipliers.cpp", ["query/shooting/periodic_orbit_test.cpp"],
+        ("the quotient by the fields forgotten", "return difference(part_of(map, kept, kept), product(by, part_of(map, pivots, kept)));",
+         "return part_of(map, kept, kept);"),
+    ),
+    *in_file(
         "src/libration/query/shooting/shooting.cpp", ["equation/text/conditions_at_times_test.cpp"],
         ("the motion of a time forgotten", "row[j] += speed[place] * numbers.of(what->slopes[j]);",
          "row[j] += speed[place] * 0 * numbers.of(what->slopes[j]);"),

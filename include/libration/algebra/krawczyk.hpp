@@ -35,8 +35,9 @@ inline constexpr long bits_of_first_iterate = 160;
 std::vector<proved_decimal> proved_root(const map_of_unknowns& f, const std::vector<ball>& guess, long digits,
                                         const std::vector<std::string>& names = {});
 
-/// The same, with a bound below 10^-digits for an unknown that is not distinguished from 0.
+/// The same, with a bound below 10^-digits for an unknown that is not distinguished from 0. From a guess that is
+/// accurate to about settled_bits, Newton's method begins only beyond so many.
 std::vector<known_value> proved_part_of_root(const map_of_unknowns& f, const std::vector<ball>& guess, long digits,
-                                             const std::vector<std::string>& names = {});
+                                             const std::vector<std::string>& names = {}, long settled_bits = 0);
 
 }  // namespace libration::ode

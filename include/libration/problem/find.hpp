@@ -50,9 +50,18 @@ struct branch_values {
 answer find_branch(const problem& of, const std::vector<std::string>& unknowns,
                    const std::vector<std::string>& conditions, const branch_values& along, const request& how);
 
-/// The periodic orbit near the initial values of an autonomous problem: the unknowns and their lower derivatives on a
-/// section, and `period`; name and value, a row for each, each digit proved, compared and watched as above. Throws
-/// error like ode::proved_periodic_orbit.
-answer find_periodic_orbit(const problem& of, const request& how);
+/// A question about a periodic orbit.
+struct orbit_options {
+    std::string period;        ///< as typed; empty: not given
+    bool multipliers = false;  ///< also the Floquet multipliers
+};
+
+/// The periodic orbit near the initial values of an autonomous problem: the unknowns and their lower derivatives,
+/// and `period`; name and value, a row for each, each digit proved, compared and watched as above. With multipliers rows
+/// "multiplier 1", or "multiplier 1, real part" and "multiplier 1, imaginary part"; those that are exactly 1 first, the others in
+/// descending absolute value. For an orbit of a family the notes are what keeps its given value, by which integrals, and
+/// whether a shorter time is a period; with multipliers, why some are 1, and the stability. Throws error like
+/// ode::proved_periodic_orbit, and for a period that is not a positive number.
+answer find_periodic_orbit(const problem& of, const request& how, const orbit_options& options = {});
 
 }  // namespace libration

@@ -159,6 +159,7 @@ const rules find_rules{
      "is given together with --such-that, --along or --certificate", leave_one},
     {"--along", "!--unknown", "is given without --unknown", "add --unknown S --such-that \"f'(5) = 1\""},
     {"--guess", "!--unknown", "is given without --unknown", "use --set for the initial point of --periodic"},
+    {"--period --multipliers", "!--periodic", "is about a periodic orbit", "add --periodic"},
     {"--such-that", "--periodic", "is given together with --periodic", leave_one},
     {"--certificate", "--along|--guess|limits", not_certified},
 };

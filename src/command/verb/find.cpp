@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "found_eigenvalues.hpp"
+#include "found_solutions.hpp"
+#include "libration/equation/text/parse.hpp"
 #include "libration/number/grid.hpp"
 #include "libration/problem/find.hpp"
 #include "libration/problem/known_facts.hpp"
@@ -34,6 +36,7 @@ struct find_options {
     std::vector<std::string> without_guess;  // at infinity, where several values are tried
     std::optional<std::string> along, certificate, eigenvalue, count;
     bool periodic = false, homoclinic = false, check = false;
+    orbit_options orbit;
 };
 
 // What is typed for the unknowns and the conditions.
@@ -80,9 +83,17 @@ void require_as_many_conditions(const find_options& options) {
                                                         : "with another name in " + typed_unknowns(options)));
 }
 
+void require_positive_period(const std::string& typed) {
+    const std::string form = "give a time after which the orbit returns, such as 6.3";
+    if (!typed.empty() &&
+        reading("--period", typed, form, [&] { return ode::parse_constant(typed).constant(); }).sign() <= 0) {
+        throw input_error("--period", typed, "is not positive", form);
+    }
+}
+
 answer found_by(const find_options& options, const problem& of, const request& how) {
     if (options.periodic) {
-        return find_periodic_orbit(of, how);
+        return find_periodic_orbit(of, how, options.orbit);
     }
     const bool at_infinity = std::ranges::any_of(options.conditions, is_at_infinity);
     if (!at_infinity) {
@@ -231,6 +242,7 @@ int run_find(find_options options) {
             {*options.eigenvalue, options.count, options.conditions, digits, options.check}, options.problem);
         return print_solutions(options, found, digits, found.solutions().front().missing);
     }
+    require_positive_period(options.orbit.period);
     if (options.certificate) {
         require_output_place("--certificate", *options.certificate);
     }
@@ -336,6 +348,12 @@ subcommand find_command(CLI::App& program) {
         ->type_name("E");
     command->add_option("--count", options->count, "number of eigenvalues to find (default 1)")->type_name("K");
     command->add_flag("--periodic", options->periodic, "the periodic orbit near the initial values, and its period");
+    command
+        ->add_option("--period", options->orbit.period,
+                     "of --periodic: the period of an orbit of a family; else where an isolated orbit is searched")
+        ->type_name("T");
+    command->add_flag("--multipliers", options->orbit.multipliers,
+                      "of --periodic: also the Floquet multipliers, and what they prove about stability");
     command->add_flag(
         "--homoclinic", options->homoclinic,
         "the orbit from the equilibrium near the initial values to itself, and the --unknown for which there is one");

@@ -118,8 +118,14 @@ std::string found_solutions::as_text() const {
     std::string lines;
     for (const answer& each : solutions_) {
         lines += lines.empty() ? "" : "\n";
+        std::size_t width = 10;
         for (const auto& row : each.rows) {
-            lines += fmt::format("{:<10}{}\n", row[0].text, row[1].text);
+            width = std::max(width, row[0].text.size() + 2);
+        }
+        for (const auto& row : each.rows) {
+            const bool known = !row[1].text.empty();
+            lines += fmt::format("{:<{}}{}\n", row[0].text, width,
+                                 known ? row[1].text : "less than " + row[1].bound + " in absolute value");
         }
     }
     return lines;

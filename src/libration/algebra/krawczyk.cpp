@@ -51,15 +51,17 @@ enum class zero_values {
 class root_search {
 public:
     root_search(const map_of_unknowns& f, const std::vector<ball>& guess, long digits,
-                const std::vector<std::string>& names, zero_values zeros)
-        : f_(f), digits_(digits), names_(names), zeros_(zeros) {
-        const precision_scope scope(decimal_digits(bits_of_first_iterate));
+                const std::vector<std::string>& names, zero_values zeros, long settled_bits = 0)
+        : f_(f), digits_(digits), names_(names), zeros_(zeros), settled_bits_(settled_bits) {
+        const precision_scope scope(decimal_digits(std::max(bits_of_first_iterate, settled_bits)));
         std::ranges::transform(guess, std::back_inserter(x_), exact_midpoint);
     }
 
     std::vector<known_value> result() {
-        long reached = bits_of_first_iterate;
-        settle(reached);
+        long reached = settled_bits_ > 0 ? settled_bits_ : bits_of_first_iterate;
+        if (settled_bits_ == 0) {
+            settle(reached);
+        }
         int proofs = 0;
         int failed = 0;
         std::vector<known_value> values;
@@ -217,6 +219,7 @@ private:
     long digits_;
     const std::vector<std::string>& names_;
     zero_values zeros_;
+    long settled_bits_;
     std::vector<ball> residual_;  // of the last iterate; empty if it has none
     std::vector<ball> x_;
 };
@@ -233,8 +236,8 @@ std::vector<proved_decimal> proved_root(const map_of_unknowns& f, const std::vec
 }
 
 std::vector<known_value> proved_part_of_root(const map_of_unknowns& f, const std::vector<ball>& guess, long digits,
-                                             const std::vector<std::string>& names) {
-    return root_search(f, guess, digits, names, zero_values::bounded).result();
+                                             const std::vector<std::string>& names, long settled_bits) {
+    return root_search(f, guess, digits, names, zero_values::bounded, settled_bits).result();
 }
 
 }  // namespace libration::ode

@@ -165,6 +165,9 @@ std::string certificate_of_root(const problem& of, const std::vector<std::string
 std::string certificate_of_orbit(const problem& of, const std::vector<std::string>& decimals, const request& how,
                                  const certificate_notes& notes) {
     const ode::explicit_system system(of.equations());
+    if (ode::has_families_of_orbits(system)) {
+        refuse_root("of a periodic orbit does not contain the theorem about its integrals, which this one needs");
+    }
     const auto point = system.point().fraction();
     if (!point) {
         refuse_root("contains a fraction as initial time, and this one is another number");

@@ -9,6 +9,8 @@
 #include "libration/scalar/ball/decimal.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"
+#include "orbit_choice.hpp"
+#include "orbit_proof.hpp"
 #include "shooting.hpp"
 
 namespace libration::ode {
@@ -17,62 +19,6 @@ namespace {
 
 constexpr long first_bits = 128;
 constexpr int most_returns = 12;
-
-// F(x, T) = Phi_T(x) - x, x on the section: the unknown `held` has its initial value.
-class closing {
-public:
-    closing(const explicit_system& system, const first_order_form& form, std::size_t held, const number& guessed_period,
-            const proof_route& route, const march_watch& watch)
-        : system_(system), form_(form), held_(held), guessed_(guessed_period), route_(route), watch_(watch) {}
-
-    std::optional<enclosed_map> operator()(const std::vector<ball>& x, long bits, long error_bits) const {
-        const precision_scope scope(decimal_digits(bits));
-        require_near_guess(x.back());
-        std::vector<ball> start(x.begin(), x.end() - 1);
-        start.insert(start.begin() + static_cast<std::ptrdiff_t>(held_), constant_value<ball>::of(form_.starts[held_]));
-        proved_march march(system_, start, bits, error_bits, watch_, route_);
-        march.keep_derivative();
-        const ball time = march.reached() + x.back();
-        const auto state = march.at(time);
-        if (!state) {
-            return std::nullopt;
-        }
-        enclosed_map result;
-        const ball_matrix flow = march.derivative_at(time);
-        const auto slope = form_.slopes_at(*state, time);
-        for (std::size_t i = 0; i < start.size(); ++i) {
-            result.value.push_back((*state)[i] - start[i]);
-            auto& row = result.derivative.emplace_back();
-            for (std::size_t j = 0; j < start.size(); ++j) {
-                if (j != held_) {
-                    row.push_back(i == j ? flow[i][j] - 1 : flow[i][j]);
-                }
-            }
-            row.push_back(slope[i]);
-        }
-        return result;
-    }
-
-private:
-    // Newton's method may leave for any period, up to which an integration would not end.
-    void require_near_guess(const ball& period) const {
-        const ball guess = constant_value<ball>::of(guessed_);
-        if (certainly_less(period * 2, guess) || certainly_less(guess * 2, period)) {
-            throw error(
-                error_kind::undecided, error_subject::solution, "",
-                "was not found: Newton's method left the neighbourhood of the closest return, from the period " +
-                    to_decimal(midpoint_of(guess), 6) + " to " + to_decimal(midpoint_of(period), 6) +
-                    ": choose an initial point nearer to a periodic orbit");
-        }
-    }
-
-    const explicit_system& system_;
-    const first_order_form& form_;
-    std::size_t held_;
-    number guessed_;
-    proof_route route_;
-    march_watch watch_;
-};
 
 std::vector<ball> start_of(const first_order_form& form) {
     std::vector<ball> start;
@@ -185,7 +131,7 @@ bool is_in_potential(const explicit_system& system) {
 
 // find(); a failure is explained for a system that declares an invariant, which is not proved to be conserved.
 template <class Find>
-std::vector<proved_decimal> orbit_or_family(const explicit_system& system, const Find& find) {
+periodic_orbit orbit_or_family(const explicit_system& system, const Find& find) {
     try {
         return find();
     } catch (const error& problem) {
@@ -196,6 +142,83 @@ std::vector<proved_decimal> orbit_or_family(const explicit_system& system, const
     }
 }
 
+class periodic_search {
+public:
+    periodic_search(const explicit_system& system, const first_order_form& form, const orbit_question& question,
+                    const proof_route& route, const march_watch& watch)
+        : system_(system),
+          form_(form),
+          question_(question),
+          route_(route),
+          watch_(watch),
+          integrals_(first_integrals_of(form, system.invariants())) {}
+
+    periodic_orbit result() { return integrals_.empty() ? isolated() : in_family(); }
+
+private:
+    periodic_orbit isolated() {
+        if (is_in_potential(system_)) {
+            refuse_family(system_, "is not isolated: the energy of a motion in a potential is conserved");
+        }
+        orbit_conditions conditions;
+        const std::size_t held = unknown_on_section(system_);
+        std::vector<number> guess = form_.starts;
+        for (std::size_t i = 0; i < form_.starts.size(); ++i) {
+            conditions.rows.push_back(i);
+            if (i != held) {
+                conditions.free.push_back(i);
+            }
+        }
+        {
+            const precision_scope scope(decimal_digits(first_bits));
+            guess.push_back(question_.period ? number_of(return_near(*question_.period))
+                                             : guessed_period(system_, form_, held, watch_));
+        }
+        guess.erase(guess.begin() + static_cast<std::ptrdiff_t>(held));
+        const orbit_map map(system_, form_, std::move(conditions), guess.back(), route_, watch_);
+        return orbit_or_family(
+            system_, [&] { return orbit_proof(form_, question_, integrals_).orbit(map, first_iterate(guess), 0); });
+    }
+
+    periodic_orbit in_family() {
+        const orbit_proof proof(form_, question_, integrals_);
+        const orbit_guess near = guessed_orbit(system_, form_, integrals_, question_.period,
+                                               bits_of_first_run(proof.digits_of_root(true)) + 8);
+        const bool free_period = near.conditions.is_period_free;
+        const orbit_map map(system_, form_, near.conditions,
+                            free_period ? number_of(near.period) : question_.period.value_or(number_of(near.period)),
+                            route_, watch_);
+        periodic_orbit orbit = proof.orbit(map, near.unknowns, near.settled_bits);
+        for (std::size_t i = 0; i < form_.names.size(); ++i) {
+            if (std::ranges::find(near.conditions.free, i) == near.conditions.free.end()) {
+                orbit.held.push_back(form_.names[i]);
+            }
+        }
+        if (!free_period) {
+            orbit.held.emplace_back("period");
+        }
+        for (const first_integral& each : near.conditions.integrals) {
+            orbit.integrals.push_back(each.text);
+        }
+        orbit.by_reversal = !near.conditions.reversal.empty();
+        return orbit;
+    }
+
+    double return_near(const number& period) const {
+        rounded_flow flow(system_);
+        return guessed_return(flow, period).time;
+    }
+
+    static number number_of(double x) { return number(rational(x)); }
+
+    const explicit_system& system_;
+    const first_order_form& form_;
+    const orbit_question& question_;
+    proof_route route_;
+    const march_watch& watch_;
+    std::vector<first_integral> integrals_;
+};
+
 }  // namespace
 
 std::size_t unknown_on_section(const explicit_system& system) {
@@ -203,8 +226,17 @@ std::size_t unknown_on_section(const explicit_system& system) {
     return fastest(first_order_form(system));
 }
 
+bool has_families_of_orbits(const explicit_system& system) {
+    return !first_integrals_of(first_order_form(system), system.invariants()).empty();
+}
+
 periodic_orbit proved_periodic_orbit(const explicit_system& system, long digits, const proof_route& route,
                                      const march_watch& watch) {
+    return proved_periodic_orbit(system, orbit_question{digits, {}, false}, route, watch);
+}
+
+periodic_orbit proved_periodic_orbit(const explicit_system& system, const orbit_question& question,
+                                     const proof_route& route, const march_watch& watch) {
     const first_order_form form(system);
     for (const expression& each : form.slopes) {
         if (each.has_variable()) {
@@ -212,32 +244,7 @@ periodic_orbit proved_periodic_orbit(const explicit_system& system, long digits,
                         "occurs in the equation: periodic orbits require an autonomous system");
         }
     }
-    if (is_in_potential(system)) {
-        refuse_family(system, "is not isolated: the energy of a motion in a potential is conserved");
-    }
-    std::vector<number> guess = form.starts;
-    const std::size_t held = unknown_on_section(system);
-    {
-        const precision_scope scope(decimal_digits(first_bits));
-        guess.push_back(guessed_period(system, form, held, watch));
-    }
-    guess.erase(guess.begin() + static_cast<std::ptrdiff_t>(held));
-    const closing closed(system, form, held, guess.back(), route, watch);
-    std::vector<std::string> names = form.names;
-    names.erase(names.begin() + static_cast<std::ptrdiff_t>(held));
-    names.emplace_back("period");
-    auto values = orbit_or_family(system, [&] {
-        return proved_root(
-            [&](const std::vector<ball>& x, long bits, long error_bits) { return closed(x, bits, error_bits); },
-            first_iterate(guess), digits, names);
-    });
-    const precision_scope scope(digits + 20);
-    const auto fixed = to_proved_decimal(constant_value<ball>::of(form.starts[held]), digits);
-    periodic_orbit orbit{form.names, std::move(values), {}};
-    orbit.period = orbit.start.back();
-    orbit.start.pop_back();
-    orbit.start.insert(orbit.start.begin() + static_cast<std::ptrdiff_t>(held), fixed.value());
-    return orbit;
+    return periodic_search(system, form, question, route, watch).result();
 }
 
 }  // namespace libration::ode
