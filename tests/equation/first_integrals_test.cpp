@@ -42,7 +42,8 @@ TEST_CASE("integrals of mechanics are found", "[ode]") {
     const auto of_kepler = integrals_of(kepler);
     CHECK(has(of_kepler, "-x*y' + x'*y"));
     CHECK(of_kepler.size() >= 4);  // also the energy, and the vector of Laplace, Runge and Lenz
-    CHECK(has(integrals_of("x' = 2*x - x*y; y' = x*y - y; x(0) = 1; y(0) = 1"), "-x - y + log |x| + 2*log |y|"));
+    CHECK(has(integrals_of("x' = 2*x - x*y; y' = x*y - y; x(0) = 1; y(0) = 1"),
+              "-1/2*x - 1/2*y + 1/2*log |x| + log |y|"));
     CHECK(has(integrals_of("x'' = -x; x(0) = 1; x'(0) = 0"), "x^2 + x'^2"));
     CHECK(integrals_of("x'' = (1 - x^2)*x' - x; x(0) = 2; x'(0) = 0").empty());
     CHECK(integrals_of("x'' = -sin(x) - x'/100; x(0) = 1; x'(0) = 0").empty());
