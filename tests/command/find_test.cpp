@@ -36,6 +36,19 @@ TEST_CASE("several first guesses lead to several solutions", "[command][find]") 
     CHECK(lines.err == "libration: the first guess y'(0) = 1 leads to solution 1 again\n");
 }
 
+TEST_CASE("the first eigenvalues of a well, and what is not accepted", "[command][find]") {
+    const words well{"find", "--problem", "psi'' = (x^2 - E)*psi; psi(-inf) = 0; psi(inf) = 0", "--digits", "20"};
+    const auto rows = rows_with_a_remark(well + words{"--eigenvalue", "E", "--count", "2"});
+    REQUIRE(rows.size() == 2);
+    CHECK(rows[0].at("name") == "E_0");
+    CHECK(rows[0].at("value") == "1.0000000000000000000");
+    CHECK(rows[1].at("value") == "3.0000000000000000000");
+    check_refused(well + words{"--eigenvalue", "E", "--count", "0"}, {"--count '0'", "1 or more"});
+    check_refused(well + words{"--eigenvalue", "F"}, {"--eigenvalue 'F'", "choose one of its own, E"});
+    check_refused(well + words{"--eigenvalue", "E", "--unknown", "E"}, {"--eigenvalue", "leave one of them out"});
+    check_refused(well + words{"--unknown", "E", "--count", "2"}, {"--count '2'", "add --eigenvalue E"});
+}
+
 // y(1) = 1 + s + k: what the text leaves open has the first guess and the first value of the branch.
 TEST_CASE("first guesses and branches give values to what the problem leaves open", "[command][find]") {
     const words open{"find", "--problem", "y' = s + k; y(0) = 1", "--unknown", "s", "--such-that", "y(1) = 0"};
