@@ -125,6 +125,19 @@ TEST_CASE("the bound contains what is left out at the point", "[asymptotics][pro
     }
 }
 
+// log x as x^-1 V, V = x log x.
+TEST_CASE("the series of a power follows from that of the power below", "[asymptotics][proved]") {
+    const precision_scope scope(40);
+    local_operator about;
+    about.place = complex_ball(1);
+    about.c = {{complex_ball(0)}, {complex_ball(1)}, {complex_ball(1)}};  // (x d/dx)^2
+    about.exponents = {complex_ball(0), complex_ball(0)};
+    frobenius_series series(about, complex_ball(-1),
+                            {{complex_ball(0), complex_ball(0)}, {complex_ball(0), complex_ball(1)}}, {4, 1, 40, 60});
+    const fixed_point_terms parts(complex_ball(1), true, {local_part{std::move(series), rational(-1)}}, 2);
+    CHECK(overlaps(parts.coefficient(50, 3), ball(ball(-1) / 50)));
+}
+
 TEST_CASE("the slit must end inside the reach, and the leading terms are ordered", "[asymptotics][proved]") {
     const precision_scope scope(40);
     CHECK_THROWS_AS(terms_of(rational(1, 2), {1}, 5.5), precision_exhausted);
