@@ -24,7 +24,7 @@ formula_part text_of_fraction(const rational& q);
 formula_part text_of_arithmetic(const expression& e, const formula_part& left, const formula_part& right);
 formula_part text_of_power(const formula_part& base, const formula_part& exponent);
 
-/// The formula, with these names instead of those of its unknowns; constants that are no fractions to 12 digits.
+/// The formula, with these names instead of those of its unknowns; constants other than fractions to 12 digits.
 std::string formula_text(const expression& e, const std::string& variable,
                          const std::map<std::string, std::string>& names);
 
