@@ -139,19 +139,13 @@ equation_system& equation_system::begin_between(const expression& of, const expr
 std::vector<std::string> equation_system::unknowns() const {
     std::vector<std::string> names;
     std::set<std::string> known;
-    const auto add = [&](const expression& leaf) {
-        if (leaf.kind() == node_kind::unknown && known.insert(leaf.name()).second) {
-            names.push_back(leaf.name());
-        }
-    };
-    if (std::ranges::all_of(equations, [](const equation& e) { return e.left.kind() == node_kind::unknown; })) {
-        for (const equation& each : equations) {
-            add(each.left);
-        }
-    }
     for (const equation& each : equations) {
         for (const expression* side : {&each.left, &each.right}) {
-            each_leaf(*side, add);
+            each_leaf(*side, [&](const expression& leaf) {
+                if (leaf.kind() == node_kind::unknown && known.insert(leaf.name()).second) {
+                    names.push_back(leaf.name());
+                }
+            });
         }
     }
     return names;

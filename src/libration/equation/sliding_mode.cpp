@@ -50,7 +50,7 @@ void hybrid_system::slide(std::size_t step, const step_values& values, equation_
             of.equations[i].right = written_sum(under, written_product(share, written_sum(over, -under)));
         }
     }
-    // The order of the unknowns is that of their first occurrence, since the first left side contains more than one.
+    // The order of the unknowns is that of their first occurrence.
     expression all;
     for (const expression& leaf : leaves_) {
         all = all + unknown(leaf.name());
