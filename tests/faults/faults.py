@@ -1151,7 +1151,7 @@ FAULTS = [
         ("the test of Krawczyk passed over", "if (!(reach < radii[i])) {", "if (false) {"),
     ),
     *in_file(
-        "src/libration/query/shooting/orbit_map.cpp", ["query/shooting/periodic_orbit_test.cpp"],
+        "src/libration/query/shooting/orbit_map.cpp", ["query/shooting/orbit_map_test.cpp"],
         ("the motion of half the period", "row.push_back(half ? end->slope[i] / 2 : end->slope[i]);",
          "row.push_back(half ? end->slope[i] * 2 : -end->slope[i]);"),
         ("a whole period taken for half of it", "conditions_.reversal.empty() ? period : period / 2",

@@ -83,6 +83,23 @@ TEST_CASE("the multipliers of a cycle in closed form", "[ode][proved]") {
     CHECK(orbit.stability == orbit_stability::attracting);
 }
 
+// The same in x = u + v, y = v, where the orbit is oblique to both coordinates at its beginning.
+TEST_CASE("the multipliers of a cycle in oblique coordinates", "[ode][proved]") {
+    const auto orbit = orbit_of(
+        "p = x - 2*y - (x - y)*((x - y)^2 + y^2); q = x - y*((x - y)^2 + y^2); x' = p + q; y' = q; x(0) = 1.01; y(0) = "
+        "0",
+        15, true);
+    CHECK(orbit.period.text == "6.28318530717959");
+    REQUIRE(orbit.multipliers.size() == 2);
+    CHECK(begins(orbit.multipliers[1].real, "3.48734235620900e-6"));
+}
+
+// u = x, v = y - 3 x^2 with the frequency 1/2: the orbit comes near its initial point shortly before it closes.
+TEST_CASE("the period is that of the closest of two near returns", "[ode][proved]") {
+    const auto orbit = orbit_of("x' = 1/2*(y-3*x^2); y' = -1/2*x+6*x*1/2*(y-3*x^2); x(0) = 3/4; y(0) = 27/16", 15);
+    CHECK(orbit.period.text == "12.5663706143592");
+}
+
 // The potential x^2/2 + y^2 + x^4/4 + x^3 y: along y = cos(sqrt(2) t), x = 0 variations are u'' = -u, with the multipliers
 // exp(+-2 pi i/sqrt(2)).
 TEST_CASE("multipliers on the unit circle, and an unknown that is 0", "[ode][proved]") {

@@ -119,7 +119,7 @@ std::vector<double> rounded_flow::in_series(double time) const {
     return result;
 }
 
-// A minimum of the distance, where its derivative changes from negative (`slope`, at `from`) to positive.
+// The least of the minima of the distance, where its derivative changes from negative (`slope`, at `from`) to positive.
 std::optional<near_return> rounded_flow::return_in_step(double from, double to, double& slope, double& farthest) {
     const auto slope_at = [&](double time) {
         const auto state = in_series(time);
@@ -132,7 +132,7 @@ std::optional<near_return> rounded_flow::return_in_step(double from, double to, 
     for (int k = 1; k <= samples_of_step; ++k) {
         double high = from + (to - from) * k / samples_of_step;
         const double next = slope_at(high);
-        if (slope < 0 && next >= 0 && !found) {
+        if (slope < 0 && next >= 0) {
             double left = low;
             double right = high;
             for (int i = 0; i < 50; ++i) {
@@ -140,7 +140,10 @@ std::optional<near_return> rounded_flow::return_in_step(double from, double to, 
                 (slope_at(middle) < 0 ? left : right) = middle;
             }
             const auto moved = difference_of(in_series(right), start_);
-            found = {right - origin_, std::sqrt(product_of(moved, moved))};
+            const double distance = std::sqrt(product_of(moved, moved));
+            if (!found || distance < found->distance) {
+                found = {right - origin_, distance};
+            }
         }
         slope = next;
         low = high;
