@@ -22,7 +22,7 @@ class Ball:
     str() prints the digits, each right to one unit in the last. `rigour` is 'proved' (ball arithmetic), 'two-method'
     (runs in MPFR that agree, or a bound of the error known before) or 'heuristic'.
 
-    + - * / ** (whole powers), abs() and comparisons with numbers, of which floats are the doubles that they are, have the
+    Arithmetic, whole powers, abs() and comparisons with numbers, of which floats are the doubles that they are, have the
     rigour of the least certain operand; their bounds contain the result for all numbers within the bounds. A comparison
     that the bounds do not decide raises UndecidedError, and so do int(), round() and float(). == is True for an exact number
     that is equal, and for a ball with the same digits, bound and rigour. Immutable.
