@@ -65,7 +65,7 @@ law_report report_of(const asymptotics_options& options, long digits) {
         if (reason.is_about(error_subject::problem)) {
             throw error(reason.kind(), "--problem", *options.problem.problem(), reason.reason());
         }
-        if (reason.subject() == "unknown") {
+        if (reason.is_about(error_subject::unknowns)) {
             throw input_error("--show", reason.value(), reason.reason(), "write an unknown of the problem");
         }
         throw;

@@ -349,8 +349,9 @@ subcommand find_command(CLI::App& program) {
     command->add_option("--count", options->count, "number of eigenvalues to find (default 1)")->type_name("K");
     command->add_flag("--periodic", options->periodic, "the periodic orbit near the initial values, and its period");
     command
-        ->add_option("--period", options->orbit.period,
-                     "of --periodic: the period of an orbit of a family; else where an isolated orbit is searched")
+        ->add_option(
+            "--period", options->orbit.period,
+            "of --periodic: the period of an orbit of a family; of an isolated orbit, the time near which it is sought")
         ->type_name("T");
     command->add_flag("--multipliers", options->orbit.multipliers,
                       "of --periodic: also the Floquet multipliers, and what they prove about stability");

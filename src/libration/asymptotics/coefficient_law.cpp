@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "../algebra/dense_matrix.hpp"
 #include "closed_equation.hpp"
 #include "law_circle.hpp"
 #include "libration/asymptotics/circle_mean.hpp"
@@ -72,19 +73,13 @@ double circle_of_slits(const std::vector<algebraic_point>& all, double wanted, b
     return std::floor((nearest + part_of_slit * (end - nearest)) / unit) * unit;
 }
 
-ball rho_as_ball(double rho) {
-    ball result;
-    arb_set_d(result.handle(), rho);
-    return result;
-}
-
 // Whether a place is outside the circle, decided by balls.
 bool is_outside(const complex_ball& place, double rho) {
     const ball modulus = modulus_of_place(place);
-    if (certainly_less(rho_as_ball(rho), modulus)) {
+    if (certainly_less(exactly(rho), modulus)) {
         return true;
     }
-    if (!certainly_less(modulus, rho_as_ball(rho))) {
+    if (!certainly_less(modulus, exactly(rho))) {
         refuse_law("has a singularity near " + words_of_place(rounded_midpoint(place)) +
                    " that is not decided to be inside |t - t0| = " + std::to_string(rho) +
                    "; take another RHO as --within");
@@ -186,7 +181,7 @@ void coefficient_law::cover(const law_request& asked) {
         circle.rho = circle_of_slits(tips, circle.rho, asked.within.has_value());
         charts_ = 2;
         std::erase_if(tips, [&](const algebraic_point& each) {
-            return certainly_less(rho_as_ball(circle.rho), modulus_of_place(each.place));
+            return certainly_less(exactly(circle.rho), modulus_of_place(each.place));
         });
     }
     covering_request request{.rho = circle.rho, .bits = static_cast<long>(ball::working_bits())};
@@ -269,7 +264,7 @@ ball factorial_quotient(long n, int shift) {
 
 ball coefficient_law::circle_bound(long n) const {
     const precision_scope few(digits_of_law_bounds);
-    return mean_.exact() * pow(rho_as_ball(rho_), -n);
+    return mean_.exact() * pow(exactly(rho_), -n);
 }
 
 ball coefficient_law::bound_of_function(long n, int terms) const {

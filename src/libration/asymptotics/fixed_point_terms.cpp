@@ -44,7 +44,8 @@ bool is_zero_exactly(const complex_ball& z) {
     return is_exact(z.re) && contains_zero(z.re) && is_exact(z.im) && contains_zero(z.im);
 }
 
-// Gamma(n - a - s)/(Gamma(-a - s) n!) in powers of s, `count` of them.
+// Gamma(n - a - s)/(Gamma(-a - s) n!) in powers of s, `count` of them: one for each power of a logarithm, at most 12, where FLINT
+// multiplies by the classical algorithm (product_guard.hpp).
 std::vector<complex_ball> gamma_series(const complex_ball& a, long n, std::size_t count) {
     const auto length = static_cast<slong>(count);
     const slong bits = ball::working_bits();
@@ -65,9 +66,9 @@ std::vector<complex_ball> gamma_series(const complex_ball& a, long n, std::size_
     acb_poly_get_coeff_acb(constant, above, 0);
     acb_sub(constant, constant, factorial, bits);
     acb_poly_set_coeff_acb(above, 0, constant);
-    acb_poly_exp_series(above, above, length, bits);
+    acb_poly_exp_series_basecase(above, above, length, bits);
     acb_poly_rgamma_series(below, below, length, bits);
-    acb_poly_mullow(above, above, below, length, bits);
+    acb_poly_mullow_classical(above, above, below, length, bits);
     std::vector<complex_ball> result;
     for (slong k = 0; k < length; ++k) {
         flint_complex at;

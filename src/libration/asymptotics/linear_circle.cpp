@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 
+#include "../algebra/dense_matrix.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"
@@ -25,14 +26,8 @@ constexpr int terms_at_tips = 8;
 constexpr double angle_margin_of_arcs = 1e-9;
 constexpr double least_angle_of_slits = 1e-6;
 constexpr int most_pieces_of_circle = 3'000;
-// Where the way to the circle begins to turn: no simple part of a gap, where symmetric equations have singular points.
+// Of a gap, where the path reaches the circle: not a simple fraction, since symmetric equations have singular points there.
 constexpr double part_of_gap = 0.4567;
-
-ball double_in_ball(double x) {
-    ball result;
-    arb_set_d(result.handle(), x);
-    return result;
-}
 
 }  // namespace
 
@@ -87,9 +82,9 @@ double linear_law::width_of_tip(const fixed_point_terms& of, double widest) cons
 
 // |x|^2 = 1 + u^2 - 2 u cos(phi) increases with the angle phi from the slit.
 void linear_law::add_tip(const fixed_point_terms& of, double width) {
-    const ball u = double_in_ball(rho_) / modulus_in_balls(of.place());
+    const ball u = exactly(rho_) / modulus_in_balls(of.place());
     const auto distance_at = [&](double angle) {
-        return sqrt(ball((u - 1) * (u - 1) + u * 2 * (1 - cos(double_in_ball(angle)))));
+        return sqrt(ball((u - 1) * (u - 1) + u * 2 * (1 - cos(exactly(angle)))));
     };
     for (int i = 0; i < arcs_of_tip; ++i) {
         const double from = i == 0 ? 0 : width * i / arcs_of_tip - angle_margin_of_arcs;
@@ -121,7 +116,7 @@ double linear_law::add_piece(const state& at, const complex_ball& centre, double
     }
     const double angle = std::arg(rounded_midpoint(centre));
     const double part = std::min(angle + width, high) - std::max(angle - width, low);
-    const ball end = double_in_ball(radius);
+    const ball end = exactly(radius);
     mean_ += magnitude(series.bound(end, end)) * magnitude::at_least(std::max(part, 0.0) + 2 * angle_margin_of_arcs, 0);
     return width;
 }
@@ -171,7 +166,7 @@ void linear_law::add_gap(const gap& over, const std::vector<fixed_point_terms>& 
 void linear_law::bound_circle() {
     mean_ = magnitude();
     if (places_.empty()) {
-        const ball rho = double_in_ball(rho_);
+        const ball rho = exactly(rho_);
         const frobenius_series series =
             series_about(equation_, complex_ball(0), start(), {}, {2 * rho_, rho_, bits_of_pieces, 0});
         ++discs_;

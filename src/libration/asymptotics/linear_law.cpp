@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "../algebra/dense_matrix.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/convert.hpp"
@@ -52,12 +53,6 @@ double few_bits_below(double x, double least) {
         }
     }
     return x;
-}
-
-ball exactly_double(double x) {
-    ball result;
-    arb_set_d(result.handle(), x);
-    return result;
 }
 
 }  // namespace
@@ -126,7 +121,7 @@ void linear_law::choose_circle(const std::optional<double>& within) {
 }
 
 void linear_law::check_inside() {
-    const ball rho = exactly_double(rho_);
+    const ball rho = exactly(rho_);
     const std::vector<complex_ball> all = roots();
     for (std::size_t k = 0; k < places_.size(); ++k) {
         const ball modulus = modulus_in_balls(all[k]);
@@ -266,7 +261,7 @@ fixed_point_terms linear_law::terms_at(std::size_t k, int least) const {
     state at_base = start();
     if (base < 1) {
         // Around a pole before it on the ray.
-        const complex_ball end = all[k] * exactly_double(1 - base);
+        const complex_ball end = all[k] * exactly(1 - base);
         complex_ball from(0);
         double aside = 1;
         bool meets = false;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "../algebra/dense_matrix.hpp"
 #include "libration/scalar/ball/complex_values.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
@@ -16,12 +17,6 @@ namespace {
 constexpr long digits_of_series_bounds = 30;
 constexpr std::size_t terms_of_quotient = 96;
 constexpr long most_terms_of_series = 60'000;
-
-ball double_as_ball(double x) {
-    ball result;
-    arb_set_d(result.handle(), x);
-    return result;
-}
 
 magnitude norm_of_terms(const std::vector<complex_ball>& v) {
     magnitude sum;
@@ -36,9 +31,9 @@ magnitude norm_of_terms(const std::vector<complex_ball>& v) {
 std::vector<ball> sums_of_quotients(const local_operator& of, double reach) {
     const std::size_t order = of.c.size() - 1;
     const complex_ball& leading = of.c[order][0];
-    const ball x = double_as_ball(reach);
+    const ball x = exactly(reach);
     const bool whole = of.zeros.empty();
-    const ball farther = whole ? x : double_as_ball((reach + of.nearest()) / 2);
+    const ball farther = whole ? x : exactly((reach + of.nearest()) / 2);
     ball below = modulus_in_balls(leading);
     std::vector<complex_ball> inverses;
     for (const complex_ball& each : of.zeros) {
@@ -75,7 +70,7 @@ std::vector<ball> sums_of_quotients(const local_operator& of, double reach) {
 
 frobenius_series::frobenius_series(const local_operator& of, complex_ball exponent,
                                    std::vector<std::vector<complex_ball>> first, const series_demand& demand)
-    : exponent_(std::move(exponent)), v_(std::move(first)), reach_(double_as_ball(demand.reach)) {
+    : exponent_(std::move(exponent)), v_(std::move(first)), reach_(exactly(demand.reach)) {
     for (const auto& each : v_) {
         powers_ = std::max(powers_, each.size());
     }

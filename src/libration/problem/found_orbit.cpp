@@ -52,7 +52,7 @@ std::string joined_by_commas(const std::vector<std::string>& names) {
 std::string text_of_stability(const ode::periodic_orbit& orbit) {
     switch (orbit.stability) {
         case ode::orbit_stability::attracting:
-            return "asymptotically stable: all multipliers but one are less than 1 in absolute value";
+            return "orbitally asymptotically stable: all multipliers but one are less than 1 in absolute value";
         case ode::orbit_stability::on_circle:
             return "linearly stable up to the multipliers that are exactly 1: all others are simple and of absolute "
                    "value 1; stability of the nonlinear equations does not follow";

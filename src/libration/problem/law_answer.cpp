@@ -43,7 +43,7 @@ shown_quantity quantity_named(const ode::explicit_system& system, const std::str
             return {i, static_cast<int>(text.size() - name.size()), text};
         }
     }
-    throw error(error_kind::argument, "unknown", text,
+    throw error(error_kind::argument, error_subject::unknowns, text,
                 "is not an unknown of the problem, or one with primes for a derivative");
 }
 

@@ -86,7 +86,7 @@ void read_points(const eigenvalue_question& of, const std::string& unknown, cons
 bool is_pole(const well_equation& of, const rational& x) {
     rational value = 0;
     const auto& p = of.potential.below();
-    for (std::size_t i = p.size(); i-- > 0;) {
+    for (int i = p.degree(); i >= 0; --i) {
         value = value * x + p[i];
     }
     return value == 0;

@@ -3,28 +3,26 @@
 
 #include <vector>
 
+#include "libration/algebra/rational_polynomial.hpp"
 #include "libration/scalar/ball/ball.hpp"
 
 namespace libration::ode {
 
-/// Coefficients by increasing powers; the last one is nonzero, and 0 is the empty list.
-using rational_polynomial = std::vector<rational>;
-
-rational_polynomial sum(rational_polynomial a, const rational_polynomial& b);
-rational_polynomial product(const rational_polynomial& a, const rational_polynomial& b);
-
 /// above/below without common factors; the last coefficient of `below` is 1.
 class rational_function {
 public:
-    rational_function(const rational& constant = 0) : rational_function({constant}, {1}) {}
+    rational_function(const rational& constant = 0)
+        : rational_function(rational_polynomial(constant), rational_polynomial(rational(1))) {}
     /// Throws error of the subject "problem" for a denominator 0.
     rational_function(rational_polynomial above, rational_polynomial below);
     /// s.
-    static rational_function variable() { return {{0, 1}, {1}}; }
+    static rational_function variable() {
+        return {rational_polynomial(std::vector<rational>{0, 1}), rational_polynomial(rational(1))};
+    }
 
     const rational_polynomial& above() const { return above_; }
     const rational_polynomial& below() const { return below_; }
-    bool is_polynomial() const { return below_.size() == 1; }
+    bool is_polynomial() const { return below_.degree() == 0; }
 
     friend rational_function operator+(const rational_function& a, const rational_function& b);
     friend rational_function operator*(const rational_function& a, const rational_function& b);

@@ -193,16 +193,16 @@ well_equation read_well(const equation_system& system, const std::string& energy
     result.exponential = reader.is_exponential();
     result.rate = result.exponential ? reader.rate() : rational(1);
     const rational_function second = reader.read(form->second);
-    if (second.above().empty()) {
+    if (second.above().is_zero()) {
         throw error(error_kind::argument, error_subject::problem, "", "has no second derivative: write psi'' = ..");
     }
     result.potential = rational_function(-1) * reader.read(at_zero) / second;
     const rational_function weight = reader.read(slope) / second;
-    if (!weight.is_polynomial() || weight.above().size() != 1 || !(weight.above().front() > 0)) {
+    if (!weight.is_polynomial() || weight.above().degree() != 0 || !(weight.above()[0] > 0)) {
         refuse_term("'" + energy + "'", "with another factor than a negative number in " + form->unknown +
                                             "'' = (V - c*" + energy + ")*" + form->unknown + ", c > 0");
     }
-    result.weight = weight.above().front();
+    result.weight = weight.above()[0];
     return result;
 }
 

@@ -33,7 +33,7 @@ well_side::well_side(const well_equation& of, well_end end, ball m)
     if (end_.point && !well_.exponential) {
         read_pole();
     }
-    if (!end_.point && tends_to_infinity() && well_.potential.above().back() < 0) {
+    if (!end_.point && tends_to_infinity() && well_.potential.above().coefficients().back() < 0) {
         throw error(error_kind::argument, error_subject::problem, "",
                     "has a potential that tends to -infinity at an end at infinity, where no solution decays like an "
                     "exponential function: change the sign, or the end");
@@ -45,13 +45,13 @@ void well_side::read_pole() {
     const rational& b = *end_.point;
     const auto from_end = [&](const rational_polynomial& p) {
         rational_polynomial result;
-        for (std::size_t i = p.size(); i-- > 0;) {
-            result = sum(product(result, {b, -1}), {p[i]});
+        for (int i = p.degree(); i >= 0; --i) {
+            result = result * rational_polynomial(std::vector<rational>{b, -1}) + rational_polynomial(p[i]);
         }
-        return result;
+        return result.coefficients();
     };
-    rational_polynomial above = from_end(well_.potential.above());
-    rational_polynomial below = from_end(well_.potential.below());
+    std::vector<rational> above = from_end(well_.potential.above());
+    std::vector<rational> below = from_end(well_.potential.below());
     std::size_t order = 0;
     while (below.front() == 0) {
         below.erase(below.begin());
@@ -70,7 +70,9 @@ void well_side::read_pole() {
     pole_ = {std::move(above), std::move(below)};
 }
 
-bool well_side::tends_to_infinity() const { return well_.potential.above().size() > well_.potential.below().size(); }
+bool well_side::tends_to_infinity() const {
+    return well_.potential.above().degree() > well_.potential.below().degree();
+}
 
 std::optional<rational> well_side::continuum() const {
     const auto& above = well_.potential.above();
@@ -78,13 +80,13 @@ std::optional<rational> well_side::continuum() const {
     if (end_.point || tends_to_infinity()) {
         return std::nullopt;
     }
-    return above.size() == below.size() ? rational(above.back() / well_.weight) : rational(0);
+    return above.degree() == below.degree() ? rational(above.coefficients().back() / well_.weight) : rational(0);
 }
 
 double well_side::potential_near(double s) const {
     const auto value = [s](const rational_polynomial& p) {
         double sum = 0;
-        for (std::size_t i = p.size(); i-- > 0;) {
+        for (int i = p.degree(); i >= 0; --i) {
             sum = sum * s + p[i].convert_to<double>();
         }
         return sum;
