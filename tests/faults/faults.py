@@ -1382,7 +1382,7 @@ FAULTS = [
     ),
     *in_file(
         "src/libration/asymptotics/coefficient_law.cpp", ["asymptotics/coefficient_law_test.cpp"],
-        ("a tie on the circle decided by doubles", "if (!certainly_less(modulus, rho_as_ball(rho))) {", "if (false) {"),
+        ("a tie on the circle decided by doubles", "if (!certainly_less(modulus, exactly(rho))) {", "if (false) {"),
         ("the bound of the error forgotten", "return widened(sum, magnitude(bound_of_function(m, terms))) * factorial_quotient(n, shift_);",
          "return sum * factorial_quotient(n, shift_);"),
         ("a primitive without its factor", "result /= n + k;", ""),
