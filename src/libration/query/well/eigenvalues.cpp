@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../../equation/bound_text.hpp"
 #include "eigenvalue_search.hpp"
 #include "libration/scalar/error.hpp"
 
@@ -69,10 +70,10 @@ void read_points(const eigenvalue_question& of, const std::string& unknown, cons
     }
     const std::size_t missing = static_cast<std::size_t>(!ends.left) + static_cast<std::size_t>(!ends.right);
     if (all.size() != missing) {
-        throw error(error_kind::argument, error_subject::conditions, "",
-                    "are at " + std::to_string(all.size() + 2 - missing) + " of the two ends that a well has: write " +
-                        unknown + "(-inf) = 0; " + unknown + "(inf) = 0, or " + unknown + "(0) = 0; " + unknown +
-                        "(inf) = 0");
+        throw error(error_kind::argument, error_subject::problem, "",
+                    "has conditions at " + std::to_string(all.size() + 2 - missing) +
+                        " of the two ends that a well has: write " + unknown + "(-inf) = 0; " + unknown +
+                        "(inf) = 0, or " + unknown + "(0) = 0; " + unknown + "(inf) = 0");
     }
     auto next = all.begin();
     for (auto* end : {&ends.left, &ends.right}) {
@@ -178,11 +179,6 @@ private:
     std::vector<eigenvalue_search> parts_;
 };
 
-std::string upper_text(const ball& e) {
-    const precision_scope scope(20);
-    return std::to_string(midpoint_of(e).convert_to<double>());
-}
-
 }  // namespace
 
 eigenvalues proved_eigenvalues(const eigenvalue_question& question, const march_watch& watch) {
@@ -205,15 +201,18 @@ eigenvalues proved_eigenvalues(const eigenvalue_question& question, const march_
     for (long index = 0; index < question.count; ++index) {
         if (!wells.has(index + 1)) {
             result.missing = error(error_kind::undecided, "eigenvalue", "E_" + std::to_string(index),
-                                   "is not below " + upper_text(wells.largest(index)) +
+                                   "is not below " + bound_text(wells.largest(index), MPFR_RNDD) +
                                        ", and eigenvalues are counted up to there, near the continuous spectrum");
             break;
         }
         result.values.push_back(wells.value(index));
     }
     if (!result.values.empty()) {
-        result.proved = "these are the " + std::to_string(result.values.size()) +
-                        " lowest eigenvalues, all of them simple: " + zeros;
+        const std::size_t count = result.values.size();
+        result.proved =
+            (count == 1 ? "this is the lowest eigenvalue, and it is simple: "
+                        : "these are the " + std::to_string(count) + " lowest eigenvalues, all of them simple: ") +
+            zeros;
     }
     return result;
 }

@@ -57,7 +57,7 @@ private:
         const auto factor = slope.fraction();
         if (!factor || !is_identically_zero(argument - slope * variable())) {
             refuse_term("a function", "of another argument than k*" + variable_ +
-                                          " with a fraction k in the potential, and no proof supports that");
+                                          " with a fraction k in the potential, which is not supported");
         }
         return *factor;
     }

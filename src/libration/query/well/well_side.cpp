@@ -267,7 +267,7 @@ std::optional<end_state> well_side::carried(const second_order_equation& of, bal
             step && magnitude(step->length()).exponent() < magnitude(from - m_).exponent() - bits_of_shortest_step;
         if (!step || stands) {
             throw error(error_kind::undecided, error_subject::problem, "",
-                        "has a singular point in the well, between its ends, and no proof supports that");
+                        "has a singular point between the ends of the well, which is not supported");
         }
         const auto solution = step->solution(state.value, state.slope / speed(from));
         if (!solution) {
