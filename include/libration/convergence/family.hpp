@@ -40,7 +40,8 @@ std::vector<differential_track> tracks_for(int order, coefficient_class of = {})
 std::vector<int> voting_lengths(int order);
 
 /// The fits at each voting length g and at g - 1 and g - 2. If three tracks are exact without a root in the annulus, the
-/// roots between 0.02 and 50 units are computed instead. At least 12 coefficients.
-approximant_family family_of(std::span<const mpfr> b, coefficient_class of = {}, const task_runner& run = run_in_order);
+/// roots between 0.02 and 50 units are computed instead. At least 12 coefficients, known to `noise` of their size.
+approximant_family family_of(std::span<const mpfr> b, coefficient_class of = {}, double noise = 0,
+                             const task_runner& run = run_in_order);
 
 }  // namespace libration::convergence

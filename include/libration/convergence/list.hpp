@@ -31,6 +31,10 @@ std::vector<mpfr> class_of(const series_list& list, const coefficient_pattern& p
 /// so ill-conditioned that half of them are lost.
 constexpr long bits_for(int order) { return 384 + 2L * order; }
 
+/// That of a list known to `noise` of its size, at most 384 + max(256, -8 log2 noise): the noise bounds the condition of
+/// the systems.
+long bits_for(int order, double noise);
+
 /// log |x|, -infinity for 0, to a few epsilon.
 double log_size(const mpfr& x);
 

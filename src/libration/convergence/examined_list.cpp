@@ -9,7 +9,7 @@ std::unique_ptr<examined_list> examined(std::span<const mpfr> b, coefficient_cla
                                         const task_runner& run) {
     auto found = std::make_unique<examined_list>();
     const precision_scope scope(decimal_digits(bits_for(static_cast<int>(b.size()))));
-    found->family = family_of(b, of, run);
+    found->family = family_of(b, of, noise, run);
     if (static_cast<int>(b.size()) >= fewest_coefficients || found->family.is_exact()) {
         found->clusters = clusters_of(found->family);
         for (auto& each : found->clusters) {

@@ -110,10 +110,10 @@ std::vector<int> voting_lengths(int order) {
     return lengths;
 }
 
-approximant_family family_of(std::span<const mpfr> b, coefficient_class of, const task_runner& run) {
+approximant_family family_of(std::span<const mpfr> b, coefficient_class of, double noise, const task_runner& run) {
     approximant_family family;
     family.order = static_cast<int>(b.size()) - 1;
-    const long bits = bits_for(family.order);
+    const long bits = bits_for(family.order, noise);
     family.unit = level_unit(b);
     family.scaled = in_unit(b, family.unit, bits);
     family.tracks = tracks_for(family.order, of);

@@ -52,9 +52,9 @@ std::vector<predicted_coefficient> predictions(std::span<const mpfr> b, int coun
     return found;
 }
 
-std::map<int, double> prediction_errors(std::span<const mpfr> b, int first, const task_runner& run) {
+std::map<int, double> prediction_errors(std::span<const mpfr> b, int first, double noise, const task_runner& run) {
     const int last = static_cast<int>(b.size()) - 1;
-    const long bits = bits_for(last);
+    const long bits = bits_for(last, noise);
     const auto scaled = in_unit(b, level_unit(b), bits);
     std::vector<int> lengths;
     for (int n = first - 1; n < last; ++n) {
@@ -121,7 +121,7 @@ std::pair<double, double> after(const std::map<int, double>& errors, int index) 
 }  // namespace
 
 std::optional<suspect_coefficient> find_suspect(std::span<const mpfr> b, const std::map<int, double>& errors,
-                                                const task_runner& run) {
+                                                double noise, const task_runner& run) {
     const int last = static_cast<int>(b.size()) - 1;
     const auto found = largest_jump(errors);
     if (!found) {
@@ -140,7 +140,7 @@ std::optional<suspect_coefficient> find_suspect(std::span<const mpfr> b, const s
     }
     std::vector<mpfr> repaired(b.begin(), b.end());
     repaired[at] = value;
-    const auto again = after(prediction_errors(repaired, std::max(12, found->index - 2), run), found->index);
+    const auto again = after(prediction_errors(repaired, std::max(12, found->index - 2), noise, run), found->index);
     const auto given = after(errors, found->index);
     suspect.confirmed = again.first < std::max(found->before, -60.0) + 1.7 && again.first < given.second - 1;
     return suspect.confirmed ? std::optional(suspect) : std::nullopt;

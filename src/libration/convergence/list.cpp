@@ -43,6 +43,11 @@ std::vector<mpfr> class_of(const series_list& list, const coefficient_pattern& p
     return b;
 }
 
+long bits_for(int order, double noise) {
+    const long all = bits_for(order);
+    return noise > 0 ? std::min(all, 384 + std::max(256L, std::lround(-8 * std::log2(noise)))) : all;
+}
+
 double log_size(const mpfr& x) {
     if (x == 0) {
         return -std::numeric_limits<double>::infinity();

@@ -72,14 +72,14 @@ private:
     // The predictability of the coefficients, and the one that is wrong: the verdict is then based on those before it.
     void hold_out() {
         const int last = static_cast<int>(b_.size()) - 1;
-        const auto errors = prediction_errors(b_, std::max(fewest_coefficients, last / 3), run_);
+        const auto errors = prediction_errors(b_, std::max(fewest_coefficients, last / 3), list_.noise, run_);
         if (const auto at = errors.find(last); at != errors.end()) {
             found_.prediction = at->second;
         }
         for (const auto& [k, error] : errors) {
             found_.predictions.emplace_back(index_of(k), error);
         }
-        found_.suspect = find_suspect(b_, errors, run_);
+        found_.suspect = find_suspect(b_, errors, list_.noise, run_);
         if (found_.suspect) {
             const int k = found_.suspect->index;
             found_.suspect->index = index_of(k);
