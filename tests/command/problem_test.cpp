@@ -201,7 +201,7 @@ TEST_CASE("one value or time that is not proved leaves the others", "[command][p
     const auto text = run_libration(open);
     CHECK(text.exit_code == 1);
     CHECK(text.out.find("z         0\n") != std::string::npos);
-    CHECK(text.out.find("x         0.1226264804\nz         |z| < ") != std::string::npos);
+    CHECK(text.out.find("y         0.1226264804\nz         |z| < ") != std::string::npos);
     words as_csv = open;
     as_csv.insert(as_csv.end(), {"--format", "csv"});
     const auto csv = run_libration(as_csv);

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -53,7 +54,7 @@ void check_verdict(const std::string& energy, const std::string& at, const mpfr&
     CHECK(verdict.at("count") == count);
 }
 
-const std::vector<std::string> shown_energies{"0.5", "1", "1.71", "1.9998", "2.02", "4", "10"};
+const std::vector<std::string> shown_energies{"0.5", "1.9998", "2.02", "10"};
 
 void write_file(const temporary_folder& folder, const std::string& name, const std::string& text) {
     std::ofstream(folder.path() / name, std::ios::binary) << text;
@@ -141,7 +142,7 @@ TEST_CASE("about the bottom the verdict is the lattice's radius and position to 
 TEST_CASE("about a time without symmetry the verdict is the lattice's radius and position to 45 digits",
           "[command][radius]") {
     const precision_scope scope(80);
-    for (const std::string energy : {"0.5", "1.71"}) {
+    for (const std::string energy : {"1.71"}) {
         check_verdict(energy, "1.1", lattice_of(energy).effective_period - mpfr(11) / 10, "2");
     }
 }
@@ -169,10 +170,11 @@ TEST_CASE("the equilibria and the separatrix have what coefficients say", "[comm
 
 TEST_CASE("every fixed scalar gives its verdict, also where the coefficients are far below its range",
           "[command][radius]") {
-    for (const auto& [scalar, order] :
-         {std::pair("double", "1000"), std::pair("long-double", "150"), std::pair("quad", "100")}) {
+    // At the energy 10^-6 the last of 360 coefficients is 4e-342.
+    for (const auto& [scalar, energy, order] :
+         {std::tuple("double", "1e-6", "360"), {"long-double", "1.71", "150"}, {"quad", "1.71", "100"}}) {
         INFO(scalar);
-        const auto verdict = rows_of({"radius", "--energy", "1.71", "--order", order, "--scalar", scalar}).at(0);
+        const auto verdict = rows_of({"radius", "--energy", energy, "--order", order, "--scalar", scalar}).at(0);
         CHECK(number_of(verdict.at("relative_error")) < mpfr("1e-12"));
     }
 }
@@ -191,11 +193,11 @@ TEST_CASE("the tangent in a file has two simple poles at pi/2 and -pi/2", "[comm
 }
 
 TEST_CASE("the exponential in a file has no finite radius", "[command][radius]") {
-    for (const table_row& row : rows_about(exponential(120), {})) {
+    for (const table_row& row : rows_about(exponential(80), {})) {
         INFO(row.at("method"));
         CHECK(row.at("radius") == (row.at("method") == "verdict" ? "inf" : ""));
         CHECK((row.at("method") == "verdict" ||
-               row.at("note").find("no finite radius seen up to N = 119") != std::string::npos));
+               row.at("note").find("no finite radius seen up to N = 79") != std::string::npos));
     }
 }
 

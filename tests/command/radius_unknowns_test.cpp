@@ -39,7 +39,7 @@ TEST_CASE("a psi series has an exponent and no kind", "[command][radius]") {
 // x = -+sqrt(2) i/(t - t*) + ... with logarithms from the fourth term on unless c = 0.
 TEST_CASE("the damped Duffing oscillator has no poles, the undamped one has", "[command][radius]") {
     for (const std::string start : {"x(0) = 1; x'(0) = 0", "x(0) = 1/2; x'(0) = 2"}) {
-        for (const std::string c : {"0", "0.01", "0.1", "0.4"}) {
+        for (const std::string c : {"0", "0.01", "0.4"}) {
             for (const std::string order : {"40", "100"}) {
                 INFO(c << ", " << start << ", " << order);
                 const auto rows = rows_of(

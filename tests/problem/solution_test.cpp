@@ -135,12 +135,9 @@ TEST_CASE("a pole with logarithms is called no pole, from its equation and from 
         return solve(of)->radius({.order = order, .about = about}, rounded_digits(40)).at(0, "kind");
     };
     for (const std::string about : {"", "1/4"}) {
-        CHECK(kind_of("0", 60, about) == "pole");
-        for (const std::string c : {"0.01", "0.4"}) {
-            const long order = about.empty() ? 100 : 60;
-            INFO(c << ", " << order << ", " << about);
-            CHECK(kind_of(c, order, about) != "pole");
-        }
+        INFO(about);
+        CHECK(kind_of("0", 40, about) == "pole");
+        CHECK(kind_of("0.4", 40, about) != "pole");
     }
 }
 

@@ -22,7 +22,7 @@ mpfr number(const std::string& text) { return from_exact<mpfr>(read_exact(text))
 const std::map<std::string, std::vector<table_row>>& played() {
     static const auto rows = rows_by_suffix("radius_tournament", {{"--energies", "0.5,1,4"},
                                                                   {"--gaps", "1e-10"},
-                                                                  {"--orders", "20,24"},
+                                                                  {"--orders", "20"},
                                                                   {"--lists", "46"},
                                                                   {"--scalar", "double"}});
     return rows;
@@ -49,7 +49,7 @@ void check_radii() {
         }
         CHECK(abs(number(row.at("relative_error")) * exact - away) <= cut + away / 100000);
     }
-    CHECK(judged > 500);
+    CHECK(judged > 250);
 }
 
 void check_known_answers() {

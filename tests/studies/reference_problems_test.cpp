@@ -61,7 +61,7 @@ TEST_CASE("a parameter that is no double changes a digit", "[studies][proved]") 
 }
 
 // S + I - (a/r) log S is constant for SIR; kepler's are -1/2 and sqrt(1 - e^2) = 4/5.
-TEST_CASE("reference values keep their invariants to the digits that they have", "[studies][proved]") {
+TEST_CASE("reference values keep their invariants to the digits that they have", "[.long][studies][proved]") {
     const auto rows =
         rows_by_suffix("reference_problems", {{"--problems", "kepler"}, {"--scalar", "ball:30"}}).at("invariants");
     REQUIRE(rows.size() == 2);

@@ -139,14 +139,18 @@ equation_system& equation_system::begin_between(const expression& of, const expr
 std::vector<std::string> equation_system::unknowns() const {
     std::vector<std::string> names;
     std::set<std::string> known;
-    for (const equation& each : equations) {
-        for (const expression* side : {&each.left, &each.right}) {
-            each_leaf(*side, [&](const expression& leaf) {
-                if (leaf.kind() == node_kind::unknown && known.insert(leaf.name()).second) {
-                    names.push_back(leaf.name());
-                }
-            });
+    const auto add = [&](const expression& leaf) {
+        if (leaf.kind() == node_kind::unknown && known.insert(leaf.name()).second) {
+            names.push_back(leaf.name());
         }
+    };
+    // A left-hand side that is an unknown or a derivative names the unknown of its equation.
+    if (std::ranges::all_of(equations, [](const equation& each) { return each.left.kind() == node_kind::unknown; })) {
+        std::ranges::for_each(equations, [&](const equation& each) { add(each.left); });
+    }
+    for (const equation& each : equations) {
+        each_leaf(each.left, add);
+        each_leaf(each.right, add);
     }
     return names;
 }
