@@ -160,4 +160,14 @@ TEST_CASE("any scale of time", "[asymptotics][proved]") {
     }
 }
 
+// y = e^(4t)/4, whose mean on |t| = 2 is I_0(8)/4 = 106.89..; that of x is 11.3.
+TEST_CASE("the bound for a later unknown of an entire system is its own", "[asymptotics][proved]") {
+    law_request asked;
+    asked.unknown = 1;
+    asked.within = 2;
+    const coefficient_law law = law_at("x' = 2*x; y' = x*x; x(0) = 1; y(0) = 1/4", asked);
+    CHECK(law.mean().above() > 106.8);
+    CHECK(law.mean().above() < 200);
+}
+
 }  // namespace asymptotics_coefficient_law_test

@@ -1392,8 +1392,35 @@ FAULTS = [
         ("the jump of a logarithm halved", "pi<ball>() / factorial, static_cast", "pi<ball>() / 2 / factorial, static_cast"),
         ("half of the integral beyond the circle", "pow(d_, ball(of.series.exponent().re + j)) / below", "pow(d_, ball(of.series.exponent().re + j)) / 2 / below"),
         ("a slit longer than its reach", "!certainly_less(d_, each.series.reach())", "false"),
-        ("the derivative by the exponent with the wrong sign", "series[k] * zero - series[k - 1]", "series[k] * zero + series[k - 1]"),
         ("the rest beyond the last known coefficient forgotten", "slit += norm * slit_factor(each, j, n);", ""),
+    ),
+    *in_file(
+        "src/libration/asymptotics/gamma_powers.cpp", ["asymptotics/fixed_point_terms_test.cpp", "asymptotics/movable_terms_test.cpp"],
+        ("the derivative by the exponent with the wrong sign", "series[k] * zero - series[k - 1]", "series[k] * zero + series[k - 1]"),
+    ),
+    *in_file(
+        "src/libration/asymptotics/movable_terms.cpp", ["asymptotics/movable_terms_test.cpp"],
+        ("the jump of a movable logarithm halved", "ball(pi<ball>() * power) : turn", "ball(pi<ball>() / 2 * power) : turn"),
+        ("half of the integral of a movable term beyond the circle", "pow(d_, of.a) / below", "pow(d_, of.a) / 2 / below"),
+        ("a slit longer than the reach of its expansion", "!certainly_less(d_, double_exactly(of_.reach))", "false"),
+        ("a factorial of a power of a logarithm forgotten", "series[k] * factorial", "series[k]"),
+    ),
+    *in_file(
+        "src/libration/plane/balance/balance_series.cpp", ["plane/balance/balance_series_test.cpp"],
+        ("the first terms beyond the highest weight forgotten", "sum += modulus_above(each.factor) * power *\n                           (beyond(each.node - 1, highest - by) + above_[each.node - 1]);", "sum += magnitude();"),
+        ("the change of products forgotten", "change.push_back(norms_[left - 1] * b + a * norms_[right - 1] + a * b);", "change.push_back(a * b);"),
+    ),
+    *in_file(
+        "src/libration/plane/balance/dominant_balance.cpp", ["plane/balance/balance_series_test.cpp"],
+        ("a guess of the leading terms that does not add up", "result_.roles[i] == balance_role::nonzero && sums[i] != -result_.orders[i]", "false"),
+    ),
+    *in_file(
+        "src/libration/plane/balance/movable_expansion.cpp", ["plane/balance/movable_point_test.cpp"],
+        ("the bound over a disc at its far end alone", "certainly_less(each.exponent.re, ball(0)) ? low : high", "high"),
+    ),
+    *in_file(
+        "src/libration/plane/balance/exact_resonances.cpp", ["plane/balance/movable_point_test.cpp"],
+        ("every resonance taken for compatible", "found.emplace_back(term.variable, up_to_last[term.monomial]);", "static_cast<void>(term);"),
     ),
     *in_file(
         "src/libration/plane/frobenius_series.cpp", ["plane/frobenius_series_test.cpp"],

@@ -1,4 +1,4 @@
-// The law of all Taylor coefficients of a solution, proved: theorems L2, A, B and F.
+// The law of all Taylor coefficients of a solution, proved: theorems L2, A, B, F and D.
 #pragma once
 
 #include <cstddef>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "libration/asymptotics/fixed_point_terms.hpp"
+#include "libration/asymptotics/movable_terms.hpp"
 #include "libration/asymptotics/singular_terms.hpp"
 #include "libration/integration/plane_watch.hpp"
 #include "libration/plane/charted_covering.hpp"
@@ -30,8 +31,9 @@ struct law_request {
 /// For the coefficients a_n of (t - t0)^n of one unknown or derivative y, F its continuation,
 ///     a_n = sum over the singularities in |t - t0| <= rho of their terms + E_n,   |E_n| <= C rho^-n + bounds of the branch points,
 /// where F has no other singularity in |t - t0| <= rho (theorem L2). C bounds the mean of |y| on the circle. Either all
-/// singularities are poles (theorem A, for all n >= 0), or all are algebraic branch points (theorem B), or all are regular singular
-/// points of a linear equation (theorem F).
+/// singularities are poles of an equation with regular_coordinates (theorem A, for all n >= 0), or all are branch points with a
+/// uniformizing_chart (theorem B), or all are regular singular points of a linear equation (theorem F), or all are movable
+/// singularities of a polynomial system with a dominant balance, of one or several kinds (theorem D).
 /// y may be a derivative of the function of the equation that is covered, or its primitive: see shift().
 class coefficient_law {
 public:
@@ -49,7 +51,11 @@ public:
     const std::vector<branch_terms>& branch_points() const { return branch_points_; }
     /// The singular points of a linear equation with Im >= 0 where one of its solutions is not analytic.
     const std::vector<fixed_point_terms>& fixed_points() const { return fixed_points_; }
-    bool has_singularities() const { return !poles_.empty() || !branch_points_.empty() || !fixed_points_.empty(); }
+    /// The movable singularities of a system with Im >= 0.
+    const std::vector<movable_terms>& movable_points() const { return movable_points_; }
+    bool has_singularities() const {
+        return !poles_.empty() || !branch_points_.empty() || !fixed_points_.empty() || !movable_points_.empty();
+    }
     /// y is the derivative of this order of the function f of the covered equation; -1: a primitive of it. With b_n the coefficients of f,
     /// a_n = (n + shift)!/n! b_(n+shift).
     int shift() const { return shift_; }
@@ -77,6 +83,7 @@ private:
     void cover(const law_request& asked);
     void cover_linear(const linear_equation& equation, const law_request& asked);
     long first_of_function(int terms) const;
+    void sharpen_movable();
     void set_exact_parts(const pole_box& box, pole_terms& of) const;
     int best_terms(long n) const;
     ball bound_of_function(long n, int terms) const;
@@ -95,6 +102,9 @@ private:
     std::vector<branch_terms> branch_points_;
     std::shared_ptr<const linear_law> linear_;
     std::vector<fixed_point_terms> fixed_points_;
+    std::vector<movable_terms> movable_points_;
+    long bits_of_movable_ = 0;  ///< of their constants
+    std::size_t shown_ = 0;     ///< of the unknowns and lower derivatives of the covered equation
 };
 
 }  // namespace libration::ode

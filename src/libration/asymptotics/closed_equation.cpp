@@ -1,5 +1,6 @@
 #include "closed_equation.hpp"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <utility>
@@ -172,7 +173,7 @@ bool has_charts(const explicit_system& system) {
 closed_equation closed_equation_of(const explicit_system& system, std::size_t unknown, int derivative) {
     const closed_subsystem part = subsystem_of(system, dependency_graph(system).closure(unknown));
     if (has_charts(part.system)) {
-        return {part.system, derivative};
+        return {part.system, derivative, 0};
     }
     std::size_t leaf = 0;
     for (std::size_t k = 0; part.unknowns[k] != unknown; ++k) {
@@ -183,16 +184,22 @@ closed_equation closed_equation_of(const explicit_system& system, std::size_t un
         if (flow.is_autonomous()) {
             const expression y = flow.unknown_at(leaf);
             if (auto found = equation_for(part.system, flow, y)) {
-                return {*std::move(found), derivative};
+                return {*std::move(found), derivative, 0};
             }
             if (auto found = equation_for(part.system, flow, flow.slope_of(y))) {
-                return {*std::move(found), derivative - 1};
+                return {*std::move(found), derivative - 1, 0};
             }
         }
     } catch (const error&) {
         // without a polynomial form about the initial point, or an exact value there
     }
-    return {part.system, derivative};
+    if (part.system.unknowns().size() == 1) {
+        return {part.system, derivative, 0};
+    }
+    // Lower derivatives are unknowns of the system.
+    const auto k = static_cast<std::size_t>(std::ranges::find(part.unknowns, unknown) - part.unknowns.begin());
+    const int lower = std::min(derivative, part.system.unknowns()[k].order - 1);
+    return {part.system, derivative - lower, leaf + static_cast<std::size_t>(lower)};
 }
 
 }  // namespace libration::ode

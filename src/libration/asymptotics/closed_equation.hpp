@@ -9,8 +9,10 @@ namespace libration::ode {
 
 struct closed_equation {
     explicit_system system;
-    /// The quantity is the derivative of this order of its first unknown; -1: a primitive of it.
+    /// The quantity is the derivative of this order of `shown`; -1: a primitive of it.
     int shift = 0;
+    /// The unknown or lower derivative that the shift refers to, among all of the system.
+    std::size_t shown = 0;
 };
 
 /// For a derivative of an unknown: its equations alone, if they are one equation with a chart; otherwise of f = y or f = y', a function of the

@@ -7,7 +7,7 @@
 
 #include "../algebra/dense_matrix.hpp"
 #include "closed_equation.hpp"
-#include "law_circle.hpp"
+#include "law_tips.hpp"
 #include "libration/asymptotics/circle_mean.hpp"
 #include "libration/digits/precision_loop.hpp"
 #include "libration/equation/dependency.hpp"
@@ -22,23 +22,12 @@ namespace {
 
 constexpr int terms_beyond_last = 24;
 constexpr long digits_of_first_constants = 40;
+// Their expansions take long, and these digits are enough for usual requests.
+constexpr long digits_of_movable_constants = 80;
 constexpr int most_law_attempts = 3;
 constexpr long bits_of_first_covering = 128;
-// Of the part of the slit that its expansion allows.
-constexpr double part_of_reach = 0.97;
-constexpr double part_of_slit = 0.85;
 constexpr double size_of_change = 1.6;
 constexpr long digits_of_law_bounds = 30;
-
-ball modulus_of_place(const complex_ball& z) { return sqrt(ball(z.re * z.re + z.im * z.im)); }
-
-[[noreturn]] void refuse_law(const std::string& why) {
-    throw error(error_kind::undecided, error_subject::problem, "", why);
-}
-
-std::string words_of_place(const std::complex<double>& z) {
-    return std::to_string(z.real()) + (z.imag() < 0 ? " - " : " + ") + std::to_string(std::abs(z.imag())) + "i";
-}
 
 [[noreturn]] void refuse_without_chart(const found_singularity& found) {
     const std::complex<double> place(static_cast<double>(found.offset.re), static_cast<double>(found.offset.im));
@@ -48,34 +37,9 @@ std::string words_of_place(const std::complex<double>& z) {
         std::to_string(std::abs(place)) + " proves a bound C RHO^-n of its coefficients");
 }
 
-// The largest double that is certainly not above.
-double double_below(const ball& x) { return arf_get_d(arb_midref(lower_bound(x).handle()), ARF_RND_DOWN); }
-
-// rho between the nearest branch point and the ends of their slits.
-double circle_of_slits(const std::vector<algebraic_point>& all, double wanted, bool given) {
-    double end = wanted;
-    double nearest = wanted;
-    for (const algebraic_point& each : all) {
-        const double modulus = double_below(modulus_of_place(each.place));
-        end = std::min(end, modulus * (1 + part_of_reach * std::pow(double_below(each.reach), each.sheets)));
-        nearest = std::min(nearest, modulus);
-    }
-    if (end >= wanted) {
-        return wanted;
-    }
-    if (given) {
-        refuse_law("has no proved law up to " + std::to_string(wanted) +
-                   ": the expansion at a branch point reaches to " + std::to_string(end) +
-                   "; write a smaller RHO as --within");
-    }
-    // A number of few bits between.
-    const double unit = std::exp2(std::floor(std::log2(end - nearest)) - 4);
-    return std::floor((nearest + part_of_slit * (end - nearest)) / unit) * unit;
-}
-
 // Whether a place is outside the circle, decided by balls.
 bool is_outside(const complex_ball& place, double rho) {
-    const ball modulus = modulus_of_place(place);
+    const ball modulus = modulus_in_balls(place);
     if (certainly_less(exactly(rho), modulus)) {
         return true;
     }
@@ -87,24 +51,6 @@ bool is_outside(const complex_ball& place, double rho) {
     return false;
 }
 
-covering_tip tip_of(const algebraic_point& of) {
-    const std::complex<double> place = rounded_midpoint(of.place);
-    covering_tip tip{place, std::abs(place) * part_of_reach * std::pow(double_below(of.reach), of.sheets),
-                     std::abs(of.base) * (1 + 1e-12)};
-    if (!(std::abs(of.base - place) < tip.radius)) {
-        throw precision_exhausted("the base of a branch point");
-    }
-    return tip;
-}
-
-tip_bound bounds_of_tips(const std::vector<algebraic_point>& all) {
-    return [&all](std::size_t k, const complex_ball& offset) {
-        const complex_ball part = complex_ball(1) - offset / all[k].place;
-        const ball root = pow(modulus_of_place(part), ball(ball(1) / all[k].sheets));
-        return all[k].bound_over(root);
-    };
-}
-
 }  // namespace
 
 coefficient_law coefficient_law::of(const explicit_system& system, const law_request& asked) {
@@ -114,6 +60,7 @@ coefficient_law coefficient_law::of(const explicit_system& system, const law_req
     closed_equation equation = closed_equation_of(system, asked.unknown, asked.derivative);
     coefficient_law law(std::move(equation.system));
     law.shift_ = equation.shift;
+    law.shown_ = equation.shown;
     const tape start = tape::about_start(system);
     law.stride_ = start.stride();
     law.residue_ = start.residue_of(static_cast<int>(asked.unknown)) - asked.derivative;
@@ -158,18 +105,22 @@ void coefficient_law::cover(const law_request& asked) {
     } else {
         circle = circle_for(system_, 0, asked.within, asked.watch);
     }
-    atlas_ =
-        std::make_shared<const chart_atlas>(system_, circle.size > 0 ? size_of_change * circle.size : size_of_change);
+    atlas_ = std::make_shared<const chart_atlas>(
+        system_, circle.size > 0 ? size_of_change * circle.size : size_of_change, shown_);
     charts_ = atlas_->has_poles() ? 2 : 1;
     uniformizing_.reset();
     std::vector<algebraic_point> tips;
+    std::vector<movable_point> movable;
     if (!atlas_->has_poles() && !circle.inside.empty()) {
         uniformizing_ = uniformizing_chart::of(system_);
         last_term_ = asked.terms;
-        for (const found_singularity& each : circle.inside) {
-            if (!uniformizing_) {
-                refuse_without_chart(each);
-            }
+        charts_ = 2;
+        if (!uniformizing_) {
+            charts_ = 1;
+            const precision_scope more(digits_of_movable_constants);
+            movable = movable_points_in(system_, *atlas_, shown_, circle, asked.within.has_value(), asked.watch);
+        }
+        for (const found_singularity& each : uniformizing_ ? circle.inside : std::vector<found_singularity>{}) {
             const std::complex<double> near(static_cast<double>(each.offset.re), static_cast<double>(each.offset.im));
             const precision_scope more(digits_of_first_constants + asked.terms);
             try {
@@ -179,9 +130,8 @@ void coefficient_law::cover(const law_request& asked) {
             }
         }
         circle.rho = circle_of_slits(tips, circle.rho, asked.within.has_value());
-        charts_ = 2;
         std::erase_if(tips, [&](const algebraic_point& each) {
-            return certainly_less(exactly(circle.rho), modulus_of_place(each.place));
+            return certainly_less(exactly(circle.rho), modulus_in_balls(each.place));
         });
     }
     covering_request request{.rho = circle.rho, .bits = static_cast<long>(ball::working_bits())};
@@ -189,12 +139,20 @@ void coefficient_law::cover(const law_request& asked) {
     for (const algebraic_point& each : tips) {
         request.tips.push_back(tip_of(each));
     }
+    for (const movable_point& each : movable) {
+        request.tips.push_back(tip_of(each));
+    }
     const charted_covering covering(system_, *atlas_, request);
     discs_ = covering.pieces().size();
     boxes_ = enclosed_poles(*atlas_, covering, circle.rho);
     std::erase_if(boxes_, [&](const pole_box& each) { return is_outside(each.place, circle.rho); });
-    mean_ = circle_mean(covering, circle.rho, bounds_of_tips(tips));
+    mean_ = circle_mean(covering, circle.rho, tips.empty() ? bounds_of_tips(movable) : bounds_of_tips(tips));
     near_.clear();
+    movable_points_.clear();
+    for (movable_point& each : movable) {
+        movable_points_.emplace_back(std::move(each), circle.rho);
+    }
+    bits_of_movable_ = movable_points_.empty() ? 0 : bits_of_digits(digits_of_movable_constants);
     for (const algebraic_point& each : tips) {
         near_.push_back(each.place);
     }
@@ -234,8 +192,26 @@ void coefficient_law::sharpen() {
         }
         branch_points.emplace_back(std::move(found), rho_);
     }
+    sharpen_movable();
     poles_ = std::move(poles);
     branch_points_ = std::move(branch_points);
+}
+
+void coefficient_law::sharpen_movable() {
+    const auto bits = static_cast<long>(ball::working_bits());
+    if (bits <= bits_of_movable_) {
+        return;
+    }
+    std::vector<movable_terms> points;
+    for (const movable_terms& each : movable_points_) {
+        movable_point found = movable_point_near(system_, *atlas_, shown_, each.of().place);
+        if (!overlaps(each.of().place.re, found.place.re) || !overlaps(each.of().place.im, found.place.im)) {
+            throw precision_exhausted("a singularity");
+        }
+        points.emplace_back(std::move(found), rho_);
+    }
+    movable_points_ = std::move(points);
+    bits_of_movable_ = bits;
 }
 
 namespace {
@@ -276,11 +252,14 @@ ball coefficient_law::bound_of_function(long n, int terms) const {
     for (const fixed_point_terms& each : fixed_points_) {
         sum += each.bound(n, terms);
     }
+    for (const movable_terms& each : movable_points_) {
+        sum += each.bound(n, terms);
+    }
     return upper_bound(sum);
 }
 
 int coefficient_law::best_terms(long n) const {
-    if (branch_points_.empty() && fixed_points_.empty()) {
+    if (branch_points_.empty() && fixed_points_.empty() && movable_points_.empty()) {
         return 0;
     }
     std::optional<ball> least;
@@ -304,6 +283,9 @@ long coefficient_law::first_of_function(int terms) const {
         least = std::max(least, each.first(terms));
     }
     for (const fixed_point_terms& each : fixed_points_) {
+        least = std::max(least, each.first(terms));
+    }
+    for (const movable_terms& each : movable_points_) {
         least = std::max(least, each.first(terms));
     }
     return least;
@@ -337,6 +319,9 @@ ball coefficient_law::value(long n) const {
         sum += each.coefficient(m, terms);
     }
     for (const fixed_point_terms& each : fixed_points_) {
+        sum += each.coefficient(m, terms);
+    }
+    for (const movable_terms& each : movable_points_) {
         sum += each.coefficient(m, terms);
     }
     return widened(sum, magnitude(bound_of_function(m, terms))) * factorial_quotient(n, shift_);

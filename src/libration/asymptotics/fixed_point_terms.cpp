@@ -4,17 +4,11 @@
 #include <cmath>
 #include <utility>
 
-#include "libration/scalar/ball/complex_values.hpp"
+#include "gamma_powers.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/convert.hpp"
 #include "libration/scalar/error.hpp"
-
-#if __has_include(<flint/acb_poly.h>)
-#include <flint/acb_poly.h>
-#else
-#include <acb_poly.h>
-#endif
 
 namespace libration::ode {
 
@@ -26,73 +20,6 @@ constexpr int parts_of_logarithm = 8;
 constexpr std::size_t leading_terms = 4;
 
 ball h_times(long m) { return ball(m) / parts_of_logarithm; }
-
-ball gamma_at(const ball& x) { return apply(arb_gamma, x); }
-
-// Gamma(n - b)/n!
-ball quotient_of_gammas(long n, const ball& b) {
-    return exp(ball(apply(arb_lgamma, ball(ball(n) - b)) - apply(arb_lgamma, ball(n + 1))));
-}
-
-ball with_image(const complex_ball& z, bool real) { return real ? z.re : ball(z.re * 2); }
-
-long floor_in_double(const ball& x) {
-    return static_cast<long>(std::floor(arf_get_d(arb_midref(upper_bound(x).handle()), ARF_RND_UP)));
-}
-
-bool is_zero_exactly(const complex_ball& z) {
-    return is_exact(z.re) && contains_zero(z.re) && is_exact(z.im) && contains_zero(z.im);
-}
-
-// Gamma(n - a - s)/(Gamma(-a - s) n!) in powers of s, `count` of them: one for each power of a logarithm, at most 12, where FLINT
-// multiplies by the classical algorithm (product_guard.hpp).
-std::vector<complex_ball> gamma_series(const complex_ball& a, long n, std::size_t count) {
-    const auto length = static_cast<slong>(count);
-    const slong bits = ball::working_bits();
-    acb_poly_t above, below;
-    acb_poly_init(above);
-    acb_poly_init(below);
-    const complex_ball minus{-a.re, -a.im};
-    acb_poly_set_coeff_acb(below, 0, flint_complex(minus).handle());
-    acb_poly_set_coeff_acb(above, 0, flint_complex(complex_ball{minus.re + n, minus.im}).handle());
-    acb_poly_set_coeff_si(below, 1, -1);
-    acb_poly_set_coeff_si(above, 1, -1);
-    acb_poly_lgamma_series(above, above, length, bits);
-    acb_t factorial;
-    acb_init(factorial);
-    acb_set_arb(factorial, apply(arb_lgamma, ball(n + 1)).handle());
-    acb_t constant;
-    acb_init(constant);
-    acb_poly_get_coeff_acb(constant, above, 0);
-    acb_sub(constant, constant, factorial, bits);
-    acb_poly_set_coeff_acb(above, 0, constant);
-    acb_poly_exp_series_basecase(above, above, length, bits);
-    acb_poly_rgamma_series(below, below, length, bits);
-    acb_poly_mullow_classical(above, above, below, length, bits);
-    std::vector<complex_ball> result;
-    for (slong k = 0; k < length; ++k) {
-        flint_complex at;
-        acb_poly_get_coeff_acb(at.handle(), above, k);
-        result.push_back(at.number());
-    }
-    acb_clear(constant);
-    acb_clear(factorial);
-    acb_poly_clear(above);
-    acb_poly_clear(below);
-    return result;
-}
-
-// The series for a + 1 from that for a: times (-(a + 1) - s)/(n - a - 1 - s).
-void take_next_exponent(std::vector<complex_ball>& series, const complex_ball& a, long n) {
-    const complex_ball zero{-a.re - 1, -a.im};
-    const complex_ball divisor{zero.re + n, zero.im};
-    for (std::size_t k = series.size(); k-- > 0;) {
-        series[k] = k > 0 ? series[k] * zero - series[k - 1] : series[k] * zero;
-    }
-    for (std::size_t k = 0; k < series.size(); ++k) {
-        series[k] = (k > 0 ? series[k] + series[k - 1] : series[k]) / divisor;
-    }
-}
 
 }  // namespace
 
@@ -170,9 +97,7 @@ ball fixed_point_terms::coefficient(long n, int terms) const {
             a.re += 1;
         }
     }
-    flint_complex power;
-    acb_pow_si(power.handle(), flint_complex(place_).handle(), -n, ball::working_bits());
-    return with_image(sum * power.number(), real_);
+    return with_image(sum * inverse_power(place_, n), real_);
 }
 
 // pi (1 + d)^n times what the jump of the terms j beyond d costs.

@@ -13,6 +13,7 @@ namespace {
 // The least logarithmic gap around a circle that is wide enough, and how far inside a given circle the search goes beyond.
 constexpr double wide_gap = 0.15;
 constexpr double beyond_circle = 1.02;
+constexpr double rounding_of_axis = 1e-11;
 
 double modulus_in_double(const found_singularity& of) { return static_cast<double>(modulus_of(of.offset)); }
 
@@ -83,8 +84,12 @@ law_circle circle_for(const explicit_system& system, std::size_t shown, const st
         }
     }
     for (const found_singularity& each : map.all) {
-        if (modulus_in_double(each) < result.rho && each.offset.im >= 0) {
-            result.inside.push_back(each);
+        found_singularity at = each;
+        if (abs(at.offset.im) < modulus_of(at.offset) * mpfr(rounding_of_axis)) {
+            at.offset.im = 0;  // of a real system: else its mirror image would be as close
+        }
+        if (modulus_in_double(at) < result.rho && at.offset.im >= 0) {
+            result.inside.push_back(std::move(at));
         }
     }
     return result;

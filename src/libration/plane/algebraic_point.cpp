@@ -8,6 +8,7 @@
 
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
+#include "ray_state.hpp"
 
 namespace libration::ode {
 
@@ -133,25 +134,6 @@ private:
     ball x1_, s1_;
 };
 
-// By discs along the ray; the state at the base.
-std::vector<complex_ball> state_before(const explicit_system& system, const chart_atlas& atlas,
-                                       std::complex<double> base, int order) {
-    complex_ball here(0);
-    std::vector<complex_ball> state = carried_start(system, atlas.chart(0));
-    for (int k = 0; k < most_branch_steps; ++k) {
-        const series_disc disc(atlas.chart(0), here, state, order);
-        const std::complex<double> rest = base - rounded_midpoint(here);
-        const double longest = branch_step * mag_get_d(disc.radius().handle());
-        const bool last = std::abs(rest) <= longest;
-        here = last ? exact_point(base) : exact_point(rounded_midpoint(here) + rest * (longest / std::abs(rest)));
-        state = disc.at(here);
-        if (last) {
-            return state;
-        }
-    }
-    throw precision_exhausted("a path to a branch point");
-}
-
 expansion_of_tip expanded_tip(const explicit_system& system, const chart_atlas& atlas, const uniformizing_chart& chart,
                               std::complex<double> base, int order) {
     const plane_system in_s(chart.system());
@@ -163,7 +145,7 @@ expansion_of_tip expanded_tip(const explicit_system& system, const chart_atlas& 
     const int path_order = static_cast<int>(bits) + 20;
     const complex_ball origin(atlas.time(complex_ball(0)));
     std::vector<complex_ball> state =
-        chart.from(atlas.time(exact_point(base)), state_before(system, atlas, base, path_order));
+        chart.from(atlas.time(exact_point(base)), state_on_ray(system, atlas, base, path_order));
     series_disc disc(in_s, complex_ball(0), state, path_order);
     complex_ball s(0);
     std::vector<complex_ball> corners;

@@ -88,15 +88,12 @@ std::string words_of_exponent(const ode::fixed_point_terms::singular_term& of, i
                                          : re + " + (" + decimal_of(ball(of.exponent.im * sign), digits).text + ")i";
 }
 
-// At a regular singular point: the leading term, differentiated `shift` times; of two conjugate exponents that with Im > 0.
-leading_term leading_of_fixed_point(const ode::fixed_point_terms& of, int shift, int sign, long digits) {
-    auto all = of.leading();
-    if (all.empty()) {
-        return {"at most a singular point of the equation", "", complex_ball(0), false};
-    }
+// The leading term, differentiated `shift` times; of two conjugate exponents that with Im > 0. `alone`: whether the point is a pole at
+// most.
+leading_term leading_of_terms(const std::vector<ode::fixed_point_terms::singular_term>& all, const complex_ball& place,
+                              bool real, bool alone, int shift, int sign, long digits) {
     const auto& next = all[std::min<std::size_t>(1, all.size() - 1)];
-    ode::fixed_point_terms::singular_term term =
-        of.is_real() && certainly_less(all[0].exponent.im, ball(0)) ? next : all[0];
+    ode::fixed_point_terms::singular_term term = real && certainly_less(all[0].exponent.im, ball(0)) ? next : all[0];
     for (int i = 0; i < shift; ++i) {
         const bool is_natural = term.exact && *term.exact == i && term.power > 0;
         if (is_natural) {
@@ -104,7 +101,7 @@ leading_term leading_of_fixed_point(const ode::fixed_point_terms& of, int shift,
         } else {
             term.coefficient = term.coefficient * complex_ball{term.exponent.re - i, term.exponent.im};
         }
-        term.coefficient = term.coefficient / (-of.place());
+        term.coefficient = term.coefficient / (-place);
     }
     const std::string exponent = words_of_exponent(term, shift, sign, digits);
     for (int k = 2; k <= term.power; ++k) {
@@ -115,16 +112,51 @@ leading_term leading_of_fixed_point(const ode::fixed_point_terms& of, int shift,
         kind = term.power == 1 ? "logarithm" : "logarithm to the power " + std::to_string(term.power);
     } else if (term.exact && denominator(*term.exact) == 1) {
         const int order = static_cast<int>(numerator(rational(shift - *term.exact)));
-        const bool alone = std::ranges::all_of(of.parts(), &ode::local_part::has_single_values);
         kind = pole_words(order) + (alone ? "" : ", with other singular terms or without");
         for (int k = 0; k < order; ++k) {  // of (t - t*)^-order
-            term.coefficient = term.coefficient * (-of.place());
+            term.coefficient = term.coefficient * (-place);
         }
     } else {
         kind = contains_zero(term.exponent.im) ? "branch point" : "branch point of a complex exponent";
     }
     const bool known = excludes_zero_of(term.coefficient);
     return {(known ? "" : "at most a ") + kind, exponent, term.coefficient, known};
+}
+
+// At a regular singular point of a linear equation.
+leading_term leading_of_fixed_point(const ode::fixed_point_terms& of, int shift, int sign, long digits) {
+    const auto all = of.leading();
+    if (all.empty()) {
+        return {"at most a singular point of the equation", "", complex_ball(0), false};
+    }
+    const bool alone = std::ranges::all_of(of.parts(), &ode::local_part::has_single_values);
+    return leading_of_terms(all, of.place(), of.is_real(), alone, shift, sign, digits);
+}
+
+// At a movable singularity of a system: the leading term and, after a pole, the first term with more than one value.
+leading_term leading_of_movable_point(const ode::movable_terms& of, int shift, int sign, long digits) {
+    const auto all = of.leading();
+    const ode::movable_point& point = of.of();
+    if (all.empty()) {
+        return {"at most a singularity of other unknowns", "", complex_ball(0), false};
+    }
+    leading_term result = leading_of_terms(all, point.place, point.real, point.single_valued, shift, sign, digits);
+    const auto whole = [](const ode::fixed_point_terms::singular_term& each) {
+        return each.power == 0 && each.exact && denominator(*each.exact) == 1;
+    };
+    if (point.single_valued || all.empty() || !whole(all.front())) {
+        return result;
+    }
+    const auto next = std::ranges::find_if(all, [&](const auto& each) { return !whole(each); });
+    const std::string pole = pole_words(static_cast<int>(numerator(rational(shift - *all.front().exact))));
+    if (next == all.end() || !excludes_zero_of(next->coefficient)) {
+        return result;
+    }
+    const auto& upper =
+        point.real && next + 1 != all.end() && certainly_less(next->exponent.im, ball(0)) ? next[1] : *next;
+    result.kind = pole + (next->power > 0 ? " with logarithms, from x^" : " with branches, from x^") +
+                  words_of_exponent(upper, shift, sign, std::min(digits, 12L)) + " on";
+    return result;
 }
 
 // The number itself if it has few digits, else a decimal that is not above it.
@@ -169,6 +201,12 @@ std::string main_words(const ode::coefficient_law& law, int terms) {
         return "sum over k of t_k^-n sum over " + std::to_string(-of.pole) + " <= j <= " + std::to_string(terms) +
                " of c_kj Gamma(n - j/" + q + ")/(Gamma(-j/" + q + ") n!) + E_n";
     }
+    if (!law.movable_points().empty()) {
+        return "sum over k, a with Re a <= " + std::to_string(terms) +
+               ", m of t_k^-n c_kam d^m/da^m [Gamma(n - a)/(Gamma(-a) n!)] + E_n, where c_kam is the coefficient of "
+               "x^a "
+               "log(x)^m, x = 1 - (t - t0)/(t_k - t0)";
+    }
     if (!law.fixed_points().empty()) {
         return "sum over k, e, j <= " + std::to_string(terms) +
                ", m of t_k^-n c_kejm/m! d^m/da^m [Gamma(n - a)/(Gamma(-a) n!)] + E_n, a = e + j, where c_kejm is the "
@@ -195,6 +233,15 @@ std::string error_words(const ode::coefficient_law& law, int terms, const std::s
         if (!contains_zero(bound.slit)) {
             slits += " + " + upper_bound_text(bound.slit) + " * " +
                      parts_of(midpoint_of(lower_bound(ode::modulus_in_balls(each.place()))), 12, MPFR_RNDD).text() +
+                     "^-n Gamma(n - " + bound.index.str() + ")/n!";
+        }
+    }
+    for (const ode::movable_terms& each : law.movable_points()) {
+        const auto bound = each.uniform(terms);
+        circle += bound.circle;
+        if (!contains_zero(bound.slit)) {
+            slits += " + " + upper_bound_text(bound.slit) + " * " +
+                     parts_of(midpoint_of(lower_bound(ode::modulus_in_balls(each.of().place))), 12, MPFR_RNDD).text() +
                      "^-n Gamma(n - " + bound.index.str() + ")/n!";
         }
     }
@@ -239,6 +286,10 @@ answer singularities_of_law(const ode::coefficient_law& law, const std::string& 
     for (const ode::fixed_point_terms& each : law.fixed_points()) {
         add(each.place(), each.is_real(),
             [&](int sign) { return leading_of_fixed_point(each, law.shift(), sign, digits); });
+    }
+    for (const ode::movable_terms& each : law.movable_points()) {
+        add(each.of().place, each.of().real,
+            [&](int sign) { return leading_of_movable_point(each, law.shift(), sign, digits); });
     }
     const std::size_t count = result.rows.size();
     if (result.rows.empty()) {

@@ -196,17 +196,109 @@ asked_law any_linear(choices& next) {
     return {made.text(), [=](long n) { return made.coefficient(n); }};
 }
 
+// x_k' = sum of c x_i x_j, where x_0 = 1 stands for a factor less; the law is that of x_1.
+struct quadratic_system {
+    struct product {
+        std::size_t row;
+        rational c;
+        std::size_t i, j;
+    };
+    std::vector<product> products;
+    std::vector<rational> starts;  // of x_1, x_2, ..
+
+    std::string text() const {
+        std::vector<std::string> right(starts.size(), "0");
+        const auto factor = [](std::size_t k) { return k == 0 ? std::string() : fmt::format("*x{}", k); };
+        for (const product& each : products) {
+            right[each.row - 1] += fmt::format(" + ({}){}{}", each.c.str(), factor(each.i), factor(each.j));
+        }
+        std::string all;
+        for (std::size_t k = 0; k < starts.size(); ++k) {
+            all += fmt::format("{}x{}' = {}", k == 0 ? "" : "; ", k + 1, right[k]);
+        }
+        for (std::size_t k = 0; k < starts.size(); ++k) {
+            all += fmt::format("; x{}(0) = {}", k + 1, starts[k].str());
+        }
+        return all;
+    }
+
+    mpfr coefficient(long n) const {
+        std::vector<std::vector<mpfr>> a{{mpfr(1)}};
+        for (const rational& each : starts) {
+            a.push_back({real(each)});
+        }
+        for (std::size_t m = 0; m < static_cast<std::size_t>(n); ++m) {
+            std::vector<mpfr> next(a.size(), mpfr(0));
+            for (const product& each : products) {
+                mpfr sum(0);
+                for (std::size_t l = 0; l <= m; ++l) {
+                    sum += a[each.i][l] * a[each.j][m - l];
+                }
+                next[each.row] += real(each.c) * sum;
+            }
+            for (std::size_t k = 0; k < a.size(); ++k) {
+                a[k].push_back(mpfr(next[k] / static_cast<long>(m + 1)));
+            }
+        }
+        return a[1][static_cast<std::size_t>(n)];
+    }
+};
+
+// Competing species, tops with a torque or without, coupled Riccati equations, equations like Lorenz's, a damped oscillator: poles, logarithms, and
+// kinds that are rejected.
+asked_law any_quadratic_system(choices& next) {
+    quadratic_system made;
+    const auto c = [&] { return few(next, false); };
+    switch (next.below(5)) {
+        case 0:
+            made = {{{1, c(), 0, 1}, {1, c(), 1, 2}, {2, c(), 0, 2}, {2, c(), 1, 2}}, {c(), c()}};
+            if (next.one_in(3)) {
+                made.products.push_back({1, c(), 1, 1});
+            }
+            break;
+        case 1:
+            made = {{{1, c(), 2, 3}, {2, c(), 1, 3}, {3, c(), 1, 2}}, {few(next), c(), c()}};
+            if (next.one_in(2)) {
+                made.products.push_back({1, few(next), 0, next.one_in(2) ? 0U : 1U});
+            }
+            break;
+        case 2:
+            made = {{{1, c(), 1, 1}, {1, few(next), 0, 2}, {2, c(), 1, 2}, {2, few(next), 0, 2}}, {c(), c()}};
+            break;
+        case 3:
+            made = {{{1, c(), 0, 2},
+                     {1, c(), 0, 1},
+                     {2, c(), 0, 1},
+                     {2, c(), 1, 3},
+                     {2, c(), 0, 2},
+                     {3, c(), 1, 2},
+                     {3, c(), 0, 3}},
+                    {c(), c(), c()}};
+            break;
+        default:  // x'' = a x' + b x + c x^3 with the square as a third unknown
+            const rational start = c();
+            made = {{{1, rational(1), 0, 2},
+                     {2, few(next), 0, 2},
+                     {2, few(next), 0, 1},
+                     {2, c(), 1, 3},
+                     {3, rational(2), 1, 2}},
+                    {start, few(next), start * start}};
+    }
+    return {made.text(), [=](long n) { return made.coefficient(n); }};
+}
+
 }  // namespace
 
 // Each coefficient of the law counts as one statement.
 outcome ask_law(choices& next) {
-    const auto kind = next.below(12);
-    const asked_law asked = kind < 2   ? any_riccati(next)
-                            : kind < 4 ? any_second_order(next)
-                            : kind < 6 ? any_abel(next)
-                            : kind < 7 ? any_root(next)
-                            : kind < 8 ? any_logarithm(next)
-                                       : any_linear(next);
+    const auto kind = next.below(14);
+    const asked_law asked = kind < 2    ? any_riccati(next)
+                            : kind < 4  ? any_second_order(next)
+                            : kind < 6  ? any_abel(next)
+                            : kind < 7  ? any_root(next)
+                            : kind < 8  ? any_logarithm(next)
+                            : kind < 12 ? any_linear(next)
+                                        : any_quadratic_system(next);
     const long order = next.one_in(8) ? 1000 : 200;
     const std::string command =
         fmt::format("libration asymptotics --problem \"{}\" --order 3,30,{}", asked.text, order);
