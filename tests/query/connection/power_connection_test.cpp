@@ -77,6 +77,17 @@ TEST_CASE("the neutral atom in any scaling", "[ode][proved]") {
     CHECK(has_slope(scaled, slope * 4 * pow(ball(256), ball(1) / 3), 25));
 }
 
+// For y'' = 2 y^3 - y^4 the difference of two solutions need not increase.
+TEST_CASE("uniqueness among positive solutions is claimed for increasing right-hand sides alone", "[ode][proved]") {
+    const auto claims = [](const std::string& text, const std::string& unknown) {
+        return decaying(text, unknown, 10).proved.find("no other positive solution") != std::string::npos;
+    };
+    CHECK(claims("y'' = 2*y^3 + y^4; y(0) = 1; y(inf) = 0", "y'(0)=-1.2"));
+    CHECK_FALSE(claims("y'' = 2*y^3 - y^4; y(0) = 1; y(inf) = 0", "y'(0)=-0.8"));
+    CHECK_FALSE(claims("y'' = 2*y^3; y'(0) = -1; y(inf) = 0", "y(0)=1.1"));
+    CHECK_FALSE(claims("y'' = 2*y^3; y(0) = -1; y(inf) = 0", "y'(0)=0.9"));
+}
+
 TEST_CASE("equations without a leading power are refused", "[ode][proved]") {
     CHECK_THROWS_AS(decaying("y'' = y^3*exp(-t); y(0) = 1; y(inf) = 0", "y'(0)=-1", 20), error);
     CHECK_THROWS_AS(decaying("y'' + 2*y'/t = y^3; y(1) = 1; y(inf) = 0", "y'(1)=-1", 20), error);  // logarithms

@@ -18,6 +18,7 @@
 #include "libration/scalar/decimal.hpp"
 #include "libration/scalar/error.hpp"
 #include "power_connection.hpp"
+#include "radial_connection.hpp"
 #include "searched_connection.hpp"
 #include "unknown_count.hpp"
 
@@ -333,8 +334,10 @@ connection proved_connection(const connection_question& question, const proof_ro
     if (is_carried(question)) {
         return proved_carried(question, route, watch);
     }
-    return is_power_decay(question) ? proved_power_decay(question, route, watch)
-                                    : searched_connection(question, route, watch);
+    if (is_power_decay(question)) {
+        return proved_power_decay(question, route, watch);
+    }
+    return is_radial(question) ? proved_radial(question, route, watch) : searched_connection(question, route, watch);
 }
 
 }  // namespace libration::ode

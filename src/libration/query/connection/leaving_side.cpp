@@ -12,11 +12,12 @@ namespace libration::ode {
 
 namespace {
 
-constexpr int most_bisections_of_side = 50;
-constexpr int most_samples_of_side = 1500;
+constexpr int most_bisections_of_side = 40;
+constexpr int most_samples_of_side = 600;
 constexpr double first_sample_of_side = 0.02;
 constexpr double growth_of_samples_of_side = 0.01;
 constexpr double part_of_leaving = 1.3;
+constexpr double part_of_approach = 0.5;
 constexpr double far_from_equilibrium = 30;
 constexpr double near_to_equilibrium = 0.25;
 constexpr double least_unstable_rate = 1e-6;
@@ -55,6 +56,10 @@ public:
         }
         if (!linear.allFinite()) {
             return false;
+        }
+        neutral_.clear();
+        for (Eigen::Index i = 0; i < n; ++i) {
+            neutral_.push_back(linear.col(i).isZero());  // as 1/t: its distance is not that of the others
         }
         const Eigen::EigenSolver<Eigen::MatrixXd> solver(linear);
         int count = 0;
@@ -96,8 +101,8 @@ private:
             const double point = constant_value<double>::of(system.point());
             march.begin_at(point, state);
             double time = 0;
-            double before = INFINITY;
-            bool approached = false;
+            double first = 0;
+            double largest = 0;
             for (int k = 0; k < most_samples_of_side && march.steps() < most_samples_of_side;
                  ++k, time += first_sample_of_side + growth_of_samples_of_side * time) {
                 std::vector<double> all;
@@ -108,17 +113,20 @@ private:
                 double along = 0;
                 for (std::size_t i = 0; i < rest_.size(); ++i) {
                     const double away = all[map_.right().moving()[i]] - rest_[i];
-                    distance = std::max(distance, std::fabs(away) / (1 + std::fabs(rest_[i])));
+                    if (!neutral_[i]) {
+                        distance = std::max(distance, std::fabs(away) / (1 + std::fabs(rest_[i])));
+                    }
                     along += away * left_[static_cast<Eigen::Index>(i)];
                 }
                 if (!std::isfinite(along)) {
                     break;
                 }
-                approached = approached || distance < before;
-                before = distance;
+                first = k == 0 ? distance : first;
+                largest = std::max(largest, distance);
                 nearest = std::min(nearest, distance);
                 found = exit{along > 0 ? 1 : -1, nearest};
-                if (distance > far_from_equilibrium || (approached && distance > part_of_leaving * nearest)) {
+                if (distance > far_from_equilibrium * (1 + first) ||
+                    (nearest < part_of_approach * largest && distance > part_of_leaving * nearest)) {
                     break;
                 }
             }
@@ -131,6 +139,7 @@ private:
     connection_map& map_;
     int side_;
     std::vector<double> rest_;
+    std::vector<bool> neutral_;
     Eigen::VectorXd left_;
 };
 

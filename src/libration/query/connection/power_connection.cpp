@@ -25,7 +25,7 @@ rational power_of_two_fraction(long exponent) {
     return exponent < 0 ? rational(1 / power) : power;
 }
 
-// y' at 0, for y'(0): a name that is no initial value.
+// y' at 0, for y'(0): a name that is not read as an initial value.
 std::string name_of_parameter(const std::string& unknown) {
     const auto open = unknown.find('(');
     return open == std::string::npos

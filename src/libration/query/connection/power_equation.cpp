@@ -91,7 +91,7 @@ expression limit_for(const power_equation& of) {
     return sum / raised_to(rest, of.terms[of.leading].slope);
 }
 
-// Whether all other terms become small beside this one, or stay in proportion by constant factors.
+// Whether all other terms become small compared with this one, or stay in proportion by constant factors.
 bool is_leading(power_equation& of, std::size_t i) {
     const power_term& first = of.terms[i];
     if (first.weight_of_value() == 0) {
@@ -148,14 +148,8 @@ bool power_equation::is_monotone() const {
            });
 }
 
-std::optional<power_equation> power_equation_in(const connection_question& question) {
-    const auto& limits = question.limits;
-    if (limits.empty() || !std::ranges::all_of(limits, is_limit_of_decay) ||
-        std::ranges::none_of(limits, [](const auto& each) { return each.of.derivative() == 0; })) {
-        return std::nullopt;
-    }
-    const std::string name = limits.front().of.name();
-    power_equation result{opened(question.system, question.unknowns), name, {}, 0, {}, {}};
+std::optional<power_terms> power_terms_in(const connection_question& question, const std::string& name) {
+    power_terms result{opened(question.system, question.unknowns), {}};
     const first_order_form form(result.open.system);
     const auto constant = [&](std::size_t k) { return form.slopes[k].is(0); };
     if (form.names.size() < 2 || form.names[0] != name || form.names[1] != primed(name, 1) ||
@@ -190,6 +184,21 @@ std::optional<power_equation> power_equation_in(const connection_question& quest
         });
     }
     result.terms = *std::move(terms);
+    return result;
+}
+
+std::optional<power_equation> power_equation_in(const connection_question& question) {
+    const auto& limits = question.limits;
+    if (limits.empty() || !std::ranges::all_of(limits, is_limit_of_decay) ||
+        std::ranges::none_of(limits, [](const auto& each) { return each.of.derivative() == 0; })) {
+        return std::nullopt;
+    }
+    const std::string name = limits.front().of.name();
+    auto read = power_terms_in(question, name);
+    if (!read) {
+        return std::nullopt;
+    }
+    power_equation result{std::move(read->open), name, std::move(read->terms), 0, {}, {}};
     for (std::size_t i = 0; i < result.terms.size(); ++i) {
         if (is_leading(result, i)) {
             return result.root() <= largest_root_of_time ? std::optional(result) : std::nullopt;

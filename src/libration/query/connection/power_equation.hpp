@@ -23,9 +23,18 @@ struct power_term {
     expression at(const expression& t, const expression& y) const;
 };
 
+/// y'' = sum c t^p y^q y'^r.
+struct power_terms {
+    parametric_system open;
+    std::vector<power_term> terms;  ///< factors in the leaves of `open`
+};
+
+/// The equation of a question about a single unknown of second order; std::nullopt for other ones.
+std::optional<power_terms> power_terms_in(const connection_question& question, const std::string& name);
+
 /// y'' = sum c t^p y^q y'^r [Emden-Fowler; Thomas-Fermi: t^(-1/2) y^(3/2)]. In s = log t, with z = t y'/y and the v of its terms,
 ///     z' = z - z^2 + sum v z^r,   v' = (p + 2 - r + (q + r - 1) z) v,
-/// a polynomial system for all real p and q. If y decays like t^-m, m > 0, z tends to -m, the v of the leading term to a limit other than 0, by
+/// a polynomial system for all real p and q. If y decays like t^-m, m > 0, z tends to -m, the v of the leading term to a nonzero limit, by
 /// which m = (p + 2 - r)/(q + r - 1), those of other ones to 0, or they are constant.
 struct power_equation {
     parametric_system open;
