@@ -33,7 +33,7 @@ std::string name_of_parameter(const std::string& unknown) {
                : unknown.substr(0, open) + " at " + unknown.substr(open + 1, unknown.size() - open - 2);
 }
 
-std::string text_of_power(const rational& q) {
+std::string text_of_exponent(const rational& q) {
     return denominator(q) == 1 ? numerator(q).str() : numerator(q).str() + "/" + denominator(q).str();
 }
 
@@ -86,7 +86,7 @@ private:
         }
         for (const power_term& each : equation_.terms) {
             if (!(each.time > -1)) {
-                refuse_start("has the term t^(" + text_of_power(each.time) +
+                refuse_start("has the term t^(" + text_of_exponent(each.time) +
                              ") at its initial point, where only powers larger than -1 are supported for limits at "
                              "infinity: choose "
                              "another initial point");
@@ -201,7 +201,7 @@ private:
         if (!first_) {
             result.time -= expression_values<double>({}, 0).of(time_);
         }
-        const std::string decay = text_of_power(rational(-equation_.decay));
+        const std::string decay = text_of_exponent(rational(-equation_.decay));
         const std::string& y = equation_.name;
         result.proved = "exactly one " + question_.unknowns.front() + " near this value for which t*" + primed(y, 1) +
                         "/" + y + " tends to " + decay + ", so that " + y + " decays like t^(" + decay + ")";

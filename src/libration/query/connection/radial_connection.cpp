@@ -28,7 +28,7 @@ constexpr double more_far_time = 1.3;
 constexpr int most_far_times = 8;
 constexpr std::size_t terms_of_test = 6;
 constexpr int most_radial_steps = 30;
-constexpr long more_bits_of_start = 20;
+constexpr long bits_beyond_regular_start = 20;
 constexpr int log2_of_room = 20;
 constexpr double trivial_within = 1e-6;
 constexpr long digits_beyond_radial = 5;
@@ -82,7 +82,8 @@ private:
     std::optional<start_values> beyond_start(const std::vector<ball>& numbers, long bits) const {
         const precision_scope scope(decimal_digits(bits));
         const manifold_end& end = near_->right();
-        const int degree = static_cast<int>((bits + more_bits_of_start) / -std::lround(std::log2(size_of_start))) + 1;
+        const int degree =
+            static_cast<int>((bits + bits_beyond_regular_start) / -std::lround(std::log2(size_of_start))) + 1;
         const auto at = end.at(numbers, {exactly(side_ * size_of_start)}, degree, true);
         if (!at) {
             return std::nullopt;
