@@ -1477,6 +1477,23 @@ FAULTS = [
          "    for (std::size_t i = 0; i < 2 * phi.rows(); ++i) {\n"),
     ),
     *in_file(
+        "src/libration/manifold/saddle_graph.cpp", ["manifold/saddle_graph_test.cpp"],
+        ("the change of 1/t forgotten in the graph of a saddle", "    result.residual = graph_sum(result.residual, -gap, along_time(at.phi));\n", ""),
+        ("the residual of the graph of a saddle forgotten", "const ball residual_size = size(residual);", "const ball residual_size = size(residual) * 0;"),
+    ),
+    *in_file(
+        "src/libration/query/connection/power_equation.hpp", ["query/connection/power_connection_test.cpp"],
+        ("the weight of the time in a power law", "return time + 2 - slope;", "return time + 1 - slope;"),
+    ),
+    *in_file(
+        "src/libration/query/connection/power_equation.cpp", ["query/connection/power_connection_test.cpp"],
+        ("uniqueness claimed for negative terms", "each.value > 0 && is_certainly_positive(each.factor)", "each.value > 0"),
+    ),
+    *in_file(
+        "src/libration/query/connection/radial_connection.cpp", ["query/connection/radial_connection_test.cpp"],
+        ("the slope of a vortex at another time", "{t * g, g + h, w}", "{t * g, g, w}"),
+    ),
+    *in_file(
         "src/libration/query/connection/far_state.cpp", ["query/connection/connection_test.cpp"],
         ("limits that are not those of an equilibrium accepted", "        if (is_identically_zero(e)) {",
          "        if (open_in(e).empty()) {"),

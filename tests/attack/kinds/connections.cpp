@@ -167,8 +167,111 @@ asked_connection of_heat(choices& next) {
             {"f''(0)"}};
 }
 
+// y'' = a y^p + b y^q: y'^2/2 is the integral of it from 0 to y, and y decays like a power of the time.
+asked_connection of_power_decay(choices& next) {
+    const constant a = simple_constant(next);
+    const constant b = simple_constant(next);
+    const constant start = simple_constant(next);
+    const rational p(next.between(3, 7), next.one_in(2) ? 1 : 2);
+    const rational q = p + next.between(1, 3);
+    const bool has_second = !next.one_in(3);
+    const truth slope = [=] {
+        const auto part = [&](const constant& of, const rational& power) {
+            return mpfr(2 * of.value() * pow(start.value(), mpfr(rational(power + 1))) / mpfr(rational(power + 1)));
+        };
+        return mpfr(-sqrt(has_second ? mpfr(part(a, p) + part(b, q)) : part(a, p)));
+    };
+    const auto text = [](const rational& power) {
+        return fmt::format("({}/{})", numerator(power).str(), denominator(power).str());
+    };
+    return {fmt::format("y'' = {}*y^{} + {}*y^{}; y(0) = {}; y'(0) = {}", a.text, text(p), has_second ? b.text : "0",
+                        text(q), start.text, near_value(slope, next)),
+            {"y(inf) = 0"},
+            "y'(0)",
+            slope,
+            25};
+}
+
+// Thomas and Fermi in any scaling, y'' = c y^(3/2)/sqrt t: with t = L s, y = y(0) u, L^(3/2) c sqrt(y(0)) = 1 [digits of Boyd2013 and others].
+// Or with the solution A/t^m of y'' + k y'/t = c t^p y^q itself, m = (p+2)/(q-1).
+asked_connection of_atom(choices& next) {
+    const constant c = simple_constant(next);
+    if (next.one_in(2)) {
+        const constant start = simple_constant(next);
+        const truth slope = [=] {
+            const mpfr length = pow(mpfr(1 / (c.value() * sqrt(start.value()))), mpfr(mpfr(2) / 3));
+            return mpfr(mpfr("-1.588071022611375312718684509423950109453") * start.value() / length);
+        };
+        return {
+            fmt::format("y'' = {}*y^(3/2)/sqrt(t); y(0) = {}; y'(0) = {}", c.text, start.text, near_value(slope, next)),
+            {"y(inf) = 0"},
+            "y'(0)",
+            slope,
+            25};
+    }
+    const long m = next.between(2, 3);
+    const long k = next.between(0, 2);
+    const long q = next.between(2, 3);
+    const long p = m * (q - 1) - 2;
+    const long t = next.between(1, 3);
+    const truth start = [=] {  // A^(q-1) c = m (m + 1 - k)
+        const mpfr scale = pow(mpfr(mpfr(m * (m + 1 - k)) / c.value()), mpfr(mpfr(1) / mpfr(q - 1)));
+        return mpfr(scale / pow(mpfr(t), mpfr(m)));
+    };
+    const truth slope = [=] { return mpfr(-mpfr(m) * start() / mpfr(t)); };
+    return {fmt::format("y'' = {}*t^{}*y^{} - {}*y'/t; y({}) = (({})/{})^(1/{})/{}^{}; y'({}) = {}", c.text, p, q, k, t,
+                        m * (m + 1 - k), c.text, q - 1, t, m, t, near_value(slope, next)),
+            {"y(inf) = 0"},
+            fmt::format("y'({})", t),
+            slope,
+            25};
+}
+
+// y = u - k/t solves y'' = c^2 y - g y^2, y = 3 c^2/(2 g) sech^2(c (t - t_0)/2).
+asked_connection of_moving_field(choices& next) {
+    const constant c = simple_constant(next);
+    const constant g = simple_constant(next);
+    const long k = next.between(0, 3);
+    const long t = next.between(1, 3);
+    const truth start = [=] { return mpfr(3 * c.value() * c.value() / (2 * g.value()) + mpfr(k) / mpfr(t)); };
+    return {fmt::format("u'' = {0}^2*(u-{1}/t) - {2}*(u-{1}/t)^2 + 2*{1}/t^3; u'({3}) = -{1}/{3}^2; u({3}) = {4}",
+                        c.text, k, g.text, t, near_value(start, next)),
+            {"u(inf) = 0"},
+            fmt::format("u({})", t),
+            start,
+            20};
+}
+
+// u'' + (D-1) u'/t = c u - d u^P is scaled from c = d = 1 [digits of another program, by sign changes; literature: 2.20620, 4.19169, 4.33739].
+asked_connection of_ground_state(choices& next) {
+    struct ground_state {
+        long dimension, power;
+        const char* start;
+    };
+    static constexpr ground_state known[] = {{2, 3, "2.2062008646507460747836340645789"},
+                                             {3, 2, "4.1916829544425191267766360373"},
+                                             {3, 3, "4.3373876799769943565221091738"}};
+    const ground_state& of = known[next.below(3)];
+    const constant c = simple_constant(next);
+    const constant d = simple_constant(next);
+    const truth start = [=] {
+        const mpfr ratio = c.value() / d.value();
+        return mpfr(mpfr(of.start) * (of.power == 2 ? ratio : mpfr(sqrt(ratio))));
+    };
+    return {fmt::format("u'' + {}*u'/t - {}*u + {}*u^{} = 0; u'(0) = 0; u(0) = {}", of.dimension - 1, c.text, d.text,
+                        of.power, near_value(start, next)),
+            {"u(inf) = 0"},
+            "u(0)",
+            start,
+            20};
+}
+
 asked_connection any_connection(choices& next) {
-    switch (next.below(9)) {
+    switch (next.below(13)) {
+        case 9: return of_power_decay(next);
+        case 10: return of_atom(next);
+        case 11: return of_moving_field(next);
+        case 12: return of_ground_state(next);
         case 0: return of_graph(next);
         case 1: return of_resonance(next);
         case 2: return of_soliton(next);

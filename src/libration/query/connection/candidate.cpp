@@ -22,6 +22,7 @@ constexpr double far_away = 50;
 constexpr double small_enough = 1e-20;
 constexpr double converged = 1e-12;
 constexpr double trivial = 1e-9;
+constexpr double radius_at_rest = 1. / 64;
 constexpr double largest_series_theta = 4;
 constexpr double scale_of_unknowns = 0.2;
 constexpr double nearly_nearest = 1.5;
@@ -107,7 +108,9 @@ public:
         for (int k = 0; k < most_times; ++k) {
             const double theta = largest_theta(x);
             if (theta < trivial) {
-                return false;
+                map_.radius = radius_at_rest;
+                map_.degree = 12;
+                return map_.may_rest;
             }
             if (map_.degree > 1 && theta <= target * 1.1 && (theta > target / 8 || k > most_times / 2)) {
                 map_.radius = theta * 1.05;

@@ -10,12 +10,17 @@
 #include "enclosed_decimal.hpp"
 #include "first_guesses.hpp"
 #include "layer_connection.hpp"
+#include "leaving_side.hpp"
 #include "libration/algebra/krawczyk.hpp"
 #include "libration/scalar/ball/decimal.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/decimal.hpp"
 #include "libration/scalar/error.hpp"
+#include "power_connection.hpp"
+#include "radial_connection.hpp"
+#include "searched_connection.hpp"
+#include "unknown_count.hpp"
 
 namespace libration::ode {
 
@@ -23,12 +28,10 @@ namespace {
 
 constexpr std::size_t most_tried = 12;
 constexpr std::size_t few_values = 7;
+constexpr double first_part_beside = 1. / 64;
+constexpr double near_part_beside = 1. / 8;
 constexpr long digits_beside = 30;
 constexpr long least_digits_beside = 3;
-
-std::string count_of(std::size_t n, const std::string& what) {
-    return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
-}
 
 // Initial values that have no effect, where both ends are at infinity.
 equation_system with_starts(equation_system system) {
@@ -52,10 +55,14 @@ bool is_two_sided(const std::vector<limit_condition>& limits) {
 
 class connection_search {
 public:
-    connection_search(const connection_question& question, const proof_route& route, const march_watch& watch)
+    connection_search(const connection_question& question, const start_rule& begins, bool may_rest,
+                      const proof_route& route, const march_watch& watch)
         : question_(question),
           map_(is_two_sided(question.limits) ? with_starts(question.system) : question.system, question.unknowns,
-               question.limits, route, watch) {}
+               question.limits, route, watch) {
+        map_.begins = begins;
+        map_.may_rest = may_rest;
+    }
 
     connection result() {
         const auto x = found();
@@ -138,7 +145,7 @@ private:
                     continue;  // on the other side of the line of equilibria
                 }
                 try {
-                    require_square();
+                    require_square(map_, question_.unknowns.size());
                 } catch (const error& problem) {
                     wrong_number = wrong_number ? wrong_number : problem;
                     continue;
@@ -160,7 +167,44 @@ private:
         return all;
     }
 
+    // Values between two sides, from those around the guess that is given, or from the usual ones; nearest to the guess first.
+    std::vector<double> guesses_by_side(int side, double farthest) {
+        if (question_.unknowns.size() != 1) {
+            return {};
+        }
+        const double given = nearest_doubles(map_.open().values).front();
+        std::vector<double> around;
+        if (question_.open.empty()) {
+            around = {given};
+            for (double part = first_part_beside; part <= farthest; part *= 2) {
+                around.insert(around.end(), {given * (1 + part) + part / 8, given * (1 - part) - part / 8});
+            }
+        } else {
+            around = signed_first_guesses();
+        }
+        auto found = changes_of_side(map_, around, side);
+        std::ranges::stable_sort(found, {}, [&](double x) { return std::fabs(x - given); });
+        return found;
+    }
+
+    std::optional<std::vector<double>> found_by_side(double farthest) {
+        for (const int side : {1, -1}) {
+            if (side < 0 && !map_.has_two_ends()) {
+                continue;
+            }
+            for (const double x : guesses_by_side(side, farthest)) {
+                if (auto found = candidate_from(map_, {x}, side)) {
+                    return found;
+                }
+            }
+        }
+        return std::nullopt;
+    }
+
     std::optional<std::vector<double>> found() {
+        if (auto x = found_by_side(near_part_beside)) {
+            return x;
+        }
         const auto all = attempts();
         if (all.empty()) {
             refuse_guess("is not found: at the first guess, the equilibrium has no invariant manifold that is proved");
@@ -170,43 +214,7 @@ private:
                 return x;
             }
         }
-        return std::nullopt;
-    }
-
-    // n = m + k^+ + k^- - 1 and the free coordinates.
-    void require_square() const {
-        const std::size_t stable = map_.right().variables();
-        if (map_.left_variables() > 2) {
-            throw error(error_kind::undecided, error_subject::conditions, "",
-                        "has a first end with an unstable manifold of dimension " +
-                            std::to_string(map_.left_variables()) +
-                            ", and only 1 and 2 are supported: exchange the ends, by t -> -t");
-        }
-        if (map_.has_two_ends() && map_.left_variables() == 0) {
-            throw error(error_kind::argument, error_subject::conditions, "",
-                        "begins at an equilibrium that no solution leaves: exchange the limits");
-        }
-        if (stable == 0) {
-            throw error(
-                error_kind::argument, error_subject::conditions, "",
-                "has the limits of an equilibrium without a direction of exponential decay: choose other limits");
-        }
-        const std::size_t others = map_.coordinates() + stable + (map_.has_two_ends() ? map_.left_variables() - 1 : 0);
-        const std::size_t n = map_.dimension();
-        if (others >= n) {
-            throw error(
-                error_kind::argument, error_subject::unknowns, "",
-                "has too many names: solutions with these limits are found for every value of them, since " +
-                    count_of(stable, "exponentially decaying direction") + " of " + std::to_string(n) +
-                    " lead there: leave out the unknowns, ask for another limit, or, along the fastest directions "
-                    "alone, write fast after the limit");
-        }
-        if (question_.unknowns.size() + others != n) {
-            throw error(error_kind::argument, error_subject::unknowns, std::to_string(question_.unknowns.size()),
-                        "is not the number that these limits determine, " + std::to_string(n - others) +
-                            ": the state has " + count_of(n, "component") + ", and " + count_of(stable, "direction") +
-                            " of exponential decay: give as many --unknown");
-        }
+        return question_.open.empty() ? found_by_side(1) : std::nullopt;
     }
 
     connection described(const std::vector<known_value>& roots) const {
@@ -224,7 +232,7 @@ private:
             }
             moves = moves || (i >= first && roots[i].decimal.has_value());
         }
-        if (!moves) {
+        if (!moves && !map_.may_rest) {
             refuse_guess("is the constant solution");
         }
         const std::string names = joined(question_.unknowns);
@@ -309,12 +317,27 @@ private:
 
 }  // namespace
 
+connection searched_connection(const connection_question& question, const proof_route& route,
+                               const march_watch& watch) {
+    return connection_search(question, {}, false, route, watch).result();
+}
+
+connection searched_decay(const connection_question& question, const start_rule& begins, const proof_route& route,
+                          const march_watch& watch) {
+    return connection_search(question, begins, true, route, watch).result();
+}
+
 connection proved_connection(const connection_question& question, const proof_route& route, const march_watch& watch) {
     if (is_layer(question)) {
         return proved_layer(question, route, watch);
     }
-    return is_carried(question) ? proved_carried(question, route, watch)
-                                : connection_search(question, route, watch).result();
+    if (is_carried(question)) {
+        return proved_carried(question, route, watch);
+    }
+    if (is_power_decay(question)) {
+        return proved_power_decay(question, route, watch);
+    }
+    return is_radial(question) ? proved_radial(question, route, watch) : searched_connection(question, route, watch);
 }
 
 }  // namespace libration::ode

@@ -171,7 +171,8 @@ int connection_map::degree_for(long bits) const {
                                                                           -std::log2(std::min(radius, 0.7)))));
 }
 
-std::optional<connection_map::start> connection_map::start_at(const std::vector<ball>& x, long bits) const {
+std::optional<connection_map::start> connection_map::start_at(const std::vector<ball>& x, long bits,
+                                                              long error_bits) const {
     if (left_) {
         return start_on_manifold(x, bits);
     }
@@ -185,6 +186,16 @@ std::optional<connection_map::start> connection_map::start_at(const std::vector<
         auto& row = result.by_unknowns.emplace_back(x.size(), ball(0));
         for (std::size_t j = 0; j < numbers(); ++j) {
             row[j] = values.of(by_start_[i][j]);
+        }
+    }
+    if (begins) {
+        const auto first = begins(part_of(x, 0, numbers()), bits, error_bits);
+        if (!first) {
+            return std::nullopt;
+        }
+        for (std::size_t i = 0; i < first->values.size(); ++i) {
+            result.values[i] = first->values[i];
+            std::ranges::copy(first->by_numbers[i], result.by_unknowns[i].begin());
         }
     }
     return result;
@@ -234,7 +245,7 @@ std::vector<double> connection_map::start_near(const std::vector<double>& x) con
     for (const double each : x) {
         at.push_back(exactly(each));
     }
-    const auto there = start_at(at, 128);
+    const auto there = start_at(at, 128, run_bits::usual_error_bits);
     std::vector<double> result;
     for (std::size_t k = 0; there && k < there->values.size(); ++k) {
         result.push_back(as_double(there->values[k]));
@@ -244,7 +255,7 @@ std::vector<double> connection_map::start_near(const std::vector<double>& x) con
 
 std::optional<enclosed_map> connection_map::operator()(const std::vector<ball>& x, long bits, long error_bits) const {
     const precision_scope scope(decimal_digits(bits));
-    const auto from = start_at(x, bits);
+    const auto from = start_at(x, bits, error_bits);
     if (!from) {
         return std::nullopt;
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,15 @@
 #include "manifold_end.hpp"
 
 namespace libration::ode {
+
+/// Values of the first unknowns at the initial point, and their derivatives by the free numbers.
+struct start_values {
+    std::vector<ball> values;
+    ball_matrix by_numbers;
+};
+/// These for all numbers of a box; std::nullopt if more bits are needed.
+using start_rule =
+    std::function<std::optional<start_values>(const std::vector<ball>& numbers, long bits, long error_bits)>;
 
 /// F = Phi_T(start) - P(theta): the unknowns are the free numbers, the free coordinates of the equilibria at the start
 /// and at the end, the angle of the start on an unstable manifold of dimension 2, and theta at the end.
@@ -47,9 +57,11 @@ public:
     /// The state at the start for first guesses, in double.
     std::vector<double> start_near(const std::vector<double>& x) const;
 
-    double time = 0;       ///< T >= 0
-    int degree = 0;        ///< of the series; 0: by the bits, for proofs
-    double radius = 0.25;  ///< a bound of theta, for the degree
+    start_rule begins = {};  ///< instead of the initial values of the first unknowns
+    bool may_rest = false;   ///< whether the equilibrium itself is a solution that is meant
+    double time = 0;         ///< T >= 0
+    int degree = 0;          ///< of the series; 0: by the bits, for proofs
+    double radius = 0.25;    ///< a bound of theta, for the degree
 
     std::optional<enclosed_map> operator()(const std::vector<ball>& x, long bits, long error_bits) const;
 
@@ -58,7 +70,7 @@ private:
         std::vector<ball> values;
         ball_matrix by_unknowns;
     };
-    std::optional<start> start_at(const std::vector<ball>& x, long bits) const;
+    std::optional<start> start_at(const std::vector<ball>& x, long bits, long error_bits) const;
     std::optional<start> start_on_manifold(const std::vector<ball>& x, long bits) const;
     std::vector<ball> numbers_of_left(const std::vector<ball>& x) const;
     std::size_t left_coordinates() const { return left_ ? left_->rest().coordinates.size() : 0; }
