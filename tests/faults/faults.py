@@ -49,11 +49,20 @@ INTEGERS = "scalar/ball/product_guard_test.cpp"
 SEQUENCES = "scalar/ball/polynomial_test.cpp"
 DOMAINS = "equation/defined_zero_test.cpp"
 CERTIFICATES = "problem/certificate_test.cpp"
+VARIATIONS = "expansion/flow_variations_test.cpp"
 RADII = "integration/box/slope_matrix_test.cpp"
 BOXES = "integration/box/box_rule_test.cpp"
 LIMITS = "certificates/limits_test.cpp"
 
 FAULTS = [
+    *in_file(
+        "src/libration/expansion/flow_variations.cpp", [VARIATIONS],
+        ("the change of the Jacobian matrix forgotten", "sum.add_product(changes_of_entries[k] * q.whole, gain);", ""),
+        ("the rest of the products forgotten",
+         "sum.add_product(norms_of_steps::rest_of_product(jacobian, q), of_defect);", ""),
+        ("unknowns of the polynomial form left out of the Jacobian matrix", "add_by_chain(row, leaf, by, leaves);",
+         "if (leaf < of.given) { add_by_chain(row, leaf, by, leaves); }"),
+    ),
     *in_file(
         "src/libration/integration/box/slope_matrix.cpp", [RADII],
         ("the rest of the exponential forgotten", "sum[i].add_product(rest, weights[i]);", ""),

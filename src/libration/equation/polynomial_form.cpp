@@ -8,6 +8,7 @@
 
 #include "libration/equation/dependency.hpp"
 #include "libration/function/list.hpp"
+#include "signed_form.hpp"
 #include "start_values.hpp"
 
 namespace libration::ode {
@@ -112,8 +113,8 @@ private:
     expression converted(const expression& e, const node_values<expression>& done) {
         switch (e.kind()) {
             case node_kind::sum: return done.at(e.left()) + done.at(e.right());
-            case node_kind::product: return done.at(e.left()) * done.at(e.right());
-            case node_kind::quotient: return done.at(e.left()) * inverse(done.at(e.right()));
+            case node_kind::product: return signed_product(done.at(e.left()), done.at(e.right()));
+            case node_kind::quotient: return signed_product(done.at(e.left()), inverse(done.at(e.right())));
             case node_kind::power: return power_of(done.at(e.left()), e.right());
             case node_kind::function: return function_of(e, done.at(e.left()));
             case node_kind::constant:
@@ -137,7 +138,7 @@ private:
         const int a = static_cast<int>(numerator(*r));
         const int b = static_cast<int>(denominator(*r));
         if (b == 1) {
-            return a >= 0 ? pow(u, exponent) : pow(inverse(u), expression(-a));
+            return a >= 0 ? signed_power(u, exponent, a) : pow(inverse(u), expression(-a));
         }
         const expression p = added(pow(u, expression(rational(-1, b))));
         const int k = a < 0 ? 0 : (a + b - 1) / b;

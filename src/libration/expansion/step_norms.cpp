@@ -60,6 +60,7 @@ norms_of_steps::norms_of_steps(const tape& of, const series_sizes& sizes, const 
     all_.reserve(of.steps().size());
     for (std::size_t i = 0; i < of.steps().size(); ++i) {
         all_.push_back(norm_of(of.steps()[i], static_cast<int>(i)));
+        all_.back().whole = all_.back().low + all_.back().rest;
     }
 }
 
@@ -68,10 +69,12 @@ bool norms_of_steps::are_finite() const {
                                [](const step_norm& each) { return each.rest.is_finite() && each.low.is_finite(); });
 }
 
-std::vector<magnitude> norms_of_steps::changes(const std::function<magnitude(const tape_step& state)>& of_state) const {
+std::vector<magnitude> norms_of_steps::changes(const std::function<magnitude(const tape_step& state)>& of_state,
+                                               std::size_t steps) const {
     std::vector<magnitude> result;
-    result.reserve(all_.size());
-    for (const tape_step& s : tape_.steps()) {
+    result.reserve(steps);
+    for (std::size_t k = 0; k < steps; ++k) {
+        const tape_step& s = tape_.steps()[k];
         const auto left = [&]() -> const magnitude& { return result[static_cast<std::size_t>(s.left)]; };
         const auto right = [&]() -> const magnitude& { return result[static_cast<std::size_t>(s.right)]; };
         const int index = static_cast<int>(result.size());
@@ -139,6 +142,18 @@ norms_of_steps::step_norm norms_of_steps::norm_of(const tape_step& s, int index)
         case operation::square:
         case operation::primitive: result.rest = rest_of(s, a); break;
     }
+    return result;
+}
+
+norms_of_steps::step_norm norms_of_steps::parts_of(const ball* coefficients) const {
+    step_norm result;
+    result.terms.reserve(terms_);
+    for (std::size_t j = 0; j < terms_; ++j) {
+        result.terms.push_back(size_of(coefficients[j]) * powers_[j]);
+        result.low += result.terms.back();
+    }
+    result.rest = size_of(coefficients[terms_]) * powers_[terms_];
+    result.whole = result.low + result.rest;
     return result;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kept_bounds.hpp"
 #include "set_values.hpp"
 #include "step_norms.hpp"
 
@@ -10,14 +11,12 @@ namespace libration::ode {
 
 namespace {
 
-constexpr int most_attempts = 40;
-
 // s with defects_i ||f_i(p), degrees >= N|| + gains_i G_i(s) <= s_i for all i, or its image under the map, which is not
 // larger; G by of_state(s, state). The s_i of known unknowns are given.
 template <class OfState>
 std::optional<std::vector<magnitude>> kept_by_map(const tape& of, const norms_of_steps& norms,
                                                   const magnitude& of_defect, const magnitude& gain,
-                                                  const OfState& of_state,
+                                                  const OfState& of_state, std::size_t steps,
                                                   const std::vector<known_remainder>& known = {}) {
     std::vector<magnitude> defect;
     for (const int output : of.outputs()) {
@@ -31,7 +30,7 @@ std::optional<std::vector<magnitude>> kept_by_map(const tape& of, const norms_of
     set_known(defect);
     const auto image = [&](const std::vector<magnitude>& s) {
         std::vector<magnitude> result = defect;
-        const auto changes = norms.changes([&](const tape_step& state) { return of_state(s, state); });
+        const auto changes = norms.changes([&](const tape_step& state) { return of_state(s, state); }, steps);
         // A function that is not defined on the disc has no bound, also if a factor 0 hides it.
         const bool bounded =
             norms.are_finite() && std::ranges::all_of(changes, [](const magnitude& each) { return each.is_finite(); });
@@ -44,27 +43,7 @@ std::optional<std::vector<magnitude>> kept_by_map(const tape& of, const norms_of
         set_known(result);
         return result;
     };
-    const auto nonzero = [](const std::vector<magnitude>& all) {
-        return std::ranges::count_if(all, [](const magnitude& each) { return !each.is_zero(); });
-    };
-    std::vector<magnitude> s = defect;
-    const magnitude inflation = magnitude(9U) / 8U;
-    // In a chain of unknowns a defect reaches one more of them with each attempt; these attempts are not counted.
-    for (int attempt = 0; attempt < most_attempts;) {
-        const auto next = image(s);
-        attempt += nonzero(next) > nonzero(s) ? 0 : 1;
-        if (!std::ranges::all_of(next, [](const magnitude& each) { return each.is_finite(); })) {
-            return std::nullopt;
-        }
-        if (std::ranges::equal(next, s, [](const magnitude& a, const magnitude& b) { return a <= b; })) {
-            return image(image(next));
-        }
-        for (std::size_t i = 0; i < s.size(); ++i) {
-            s[i] = next[i] * inflation;
-        }
-        set_known(s);
-    }
-    return std::nullopt;
+    return kept_bounds(image, defect, set_known);
 }
 
 }  // namespace
@@ -151,13 +130,19 @@ series_sizes sizes_of(const tape& of, const taylor_expansion<R>& expansion, cons
     return result;
 }
 
+std::optional<std::vector<magnitude>> kept_remainders(const tape& of, const norms_of_steps& norms, int degree,
+                                                      const magnitude& radius, std::size_t steps) {
+    const auto order = static_cast<unsigned long>(degree);
+    return kept_by_map(
+        of, norms, radius / (order + 1), radius / (order + 2),
+        [](const std::vector<magnitude>& errors, const tape_step& state) {
+            return errors[static_cast<std::size_t>(state.left)];
+        },
+        steps);
+}
+
 std::optional<tail_bound> bounded_tail(const tape& of, const series_sizes& sizes, const magnitude& radius) {
-    const auto order = static_cast<unsigned long>(sizes.degree);
-    const norms_of_steps norms(of, sizes, radius);
-    auto s = kept_by_map(of, norms, radius / (order + 1), radius / (order + 2),
-                         [](const std::vector<magnitude>& errors, const tape_step& state) {
-                             return errors[static_cast<std::size_t>(state.left)];
-                         });
+    auto s = kept_remainders(of, norms_of_steps(of, sizes, radius), sizes.degree, radius, of.steps().size());
     return s ? std::optional(tail_bound{radius, sizes.degree, *std::move(s)}) : std::nullopt;
 }
 
@@ -170,7 +155,8 @@ std::optional<remainder_bound> bounded_remainder(const tape& of, const taylor_ex
     const auto part_of = [](const std::vector<magnitude>& errors, const tape_step& state) {
         return errors[static_cast<std::size_t>(state.left)];
     };
-    auto s = kept_by_map(of, norms, length / (static_cast<unsigned long>(degree) + 1), length, part_of, known);
+    auto s = kept_by_map(of, norms, length / (static_cast<unsigned long>(degree) + 1), length, part_of,
+                         of.steps().size(), known);
     if (!s) {
         return std::nullopt;
     }
@@ -211,11 +197,13 @@ std::optional<tail_bound> bounded_singular_tail(const tape& of, const taylor_exp
     };
     const series_sizes sizes = sizes_of(of, expansion, ball(0), degree);
     const norms_of_steps norms(of, sizes, radius);
-    auto s = kept_by_map(of, norms, magnitude(1U), magnitude(1U),
-                         [&](const std::vector<magnitude>& highest, const tape_step& state) {
-                             const auto unknown = static_cast<std::size_t>(state.left);
-                             return highest[unknown] * part(unknown, state.right);
-                         });
+    auto s = kept_by_map(
+        of, norms, magnitude(1U), magnitude(1U),
+        [&](const std::vector<magnitude>& highest, const tape_step& state) {
+            const auto unknown = static_cast<std::size_t>(state.left);
+            return highest[unknown] * part(unknown, state.right);
+        },
+        of.steps().size());
     if (!s) {
         return std::nullopt;
     }

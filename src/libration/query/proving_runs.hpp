@@ -89,6 +89,10 @@ struct further_question {
     long error_bits = proved_march::usual_error_bits;
 };
 
+/// From so many unknowns on, with their lower derivatives, a run that ended is followed by one with as many bits as its loss
+/// justifies, instead of some more: runs take long.
+inline constexpr std::size_t many_unknowns = 6;
+
 /// Runs from the initial point through all times, each with more bits than the one before, until every digit is proved
 /// or no run proves more.
 class proving_runs {
@@ -110,6 +114,7 @@ public:
                       ? linear_flow::of(system)
                       : std::nullopt),
           names_(asked_of(names_of_state(system))),
+          has_many_unknowns_(names_of_state(system).size() >= many_unknowns),
           done_(times.size()),
           ends_{times.size(), times.size()} {
         part_.states.resize(times.size());
@@ -167,8 +172,8 @@ private:
                         return part_of_way(system_.point(), march->reached(), times_[index]);
                     };
                     const double part = std::min(part_up_to(order_.back().index), part_up_to(each.index));
-                    march->ends_by_comparison() ? demand.ended_by_steady_loss(part, time)
-                                                : demand.ended_part_way(part, time);
+                    march->ends_by_comparison() || has_many_unknowns_ ? demand.ended_by_steady_loss(part, time)
+                                                                      : demand.ended_part_way(part, time);
                 }
                 continue;
             }
@@ -255,6 +260,7 @@ private:
     constancy constancy_;  ///< `none` also if anything besides the values is requested
     std::optional<linear_flow> linear_;
     std::vector<std::string> names_;  ///< of the requested values
+    bool has_many_unknowns_;
     std::vector<bool> done_;
     std::array<std::size_t, 2> ends_;  ///< the places of the first times not reached, backwards and forwards
     std::array<collocation_use, 2> collocation_{};  ///< of the last runs

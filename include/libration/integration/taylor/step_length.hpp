@@ -193,16 +193,17 @@ inline double longest_for_map(const tail_bound& tail, const unknown_scales& scal
 
 /// log2 of the largest term of the error map at a distance, in the same weights, at least 0: a contracting map is the
 /// sum of terms larger than 1 by about as much as it is smaller than 1 itself.
-inline double growth_of_terms(const taylor_expansion<ball>& series, const unknown_scales& scales,
-                              const variation_places& places, double distance) {
+template <class SetExpansion>
+double growth_of_terms(const SetExpansion& series, const unknown_scales& scales, std::size_t unknowns,
+                       double distance) {
     double largest = 0;
-    for (std::size_t i = 0; i < places.given; ++i) {
-        for (std::size_t j = 0; j < places.given; ++j) {
+    for (std::size_t i = 0; i < unknowns; ++i) {
+        for (std::size_t j = 0; j < unknowns; ++j) {
             const double weight = scales.weight(i, j);
             if (weight == nothing) {
                 continue;
             }
-            const ball* const a = series.coefficients(static_cast<int>(places.of(i, j)));
+            const ball* const a = series.coefficients(i, j);
             for (int n = 0; n <= series.order(); ++n) {
                 if (const magnitude size(a[n]); !size.is_zero()) {
                     largest = std::max(largest, static_cast<double>(size.exponent()) + n * distance + weight);

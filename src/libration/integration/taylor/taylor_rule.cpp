@@ -42,6 +42,11 @@ lohner_set settled_or_box(const lohner_set& errors, const std::vector<long>& sca
     return is_lost ? lohner_set(std::move(box)) : settled;
 }
 
+// A set of many unknowns is not wrapped in another frame in so many steps, as long as what the steps add is this number
+// of bits below it: each frame costs a part of a bit.
+constexpr int most_unsettled_steps = 32;
+constexpr long bits_below_columns = 8;
+
 int first_set_order(const run_bits& bits, const proof_route& route) {
     return taylor_order(static_cast<int>(bits.error_bits)) - 2 + route.more_terms;
 }
@@ -52,7 +57,7 @@ taylor_rule::taylor_rule(const polynomial_form& of, const run_bits& bits, const 
                          error_weights weights)
     : lifted_(of),
       tape_(tape::about_points(lifted_.system)),
-      varied_tape_(tape::about_points(with_variations(lifted_))),
+      varied_(lifted_),
       bits_(bits),
       route_(route),
       weights_(weights),
@@ -75,6 +80,7 @@ void taylor_rule::begin(const flow_state& start) {
     }
     origin_ = start.time;
     steps_ = 0;
+    unsettled_ = most_unsettled_steps;
 }
 
 next_step taylor_rule::next(const flow_state& from, const ball& rest) {
@@ -135,7 +141,7 @@ void taylor_rule::make_expansions() {
         const precision_scope scope(decimal_digits(some_more));
         const int order = taylor_order(static_cast<int>(some_more)) + 2 + route_.more_terms;
         now_.reset(new expansions{some_more, taylor_expansion<ball>(tape_, order, route_.product),
-                                  taylor_expansion<ball>(varied_tape_, set_order_, route_.product)});
+                                  set_expansion(varied_, set_order_, route_.product)});
     }
 }
 
@@ -148,8 +154,9 @@ bool taylor_rule::expand_centre() {
     }
     now_->of_centre.about(time_, as_state(all));
     log_of_radius_ = estimated_radius(now_->of_centre, all.size());
+    // At an equilibrium only the variations have a finite radius.
     if (log_of_radius_ == no_radius && expand_variations()) {
-        log_of_radius_ = radius_of_variations();
+        log_of_radius_ = now_->of_set.estimated_radius();
     }
     tail_ = tail_near(tape_, now_->of_centre, time_, log_of_radius_);
     return tail_.has_value();
@@ -158,38 +165,48 @@ bool taylor_rule::expand_centre() {
 // The series of the set with its variations, in low precision, and their remainders.
 bool taylor_rule::expand_set() {
     const precision_scope few(decimal_digits(set_bits_));
-    set_.errors = settled_or_box(set_.errors, scales_.exponents());
+    if (settles()) {
+        set_.errors = settled_or_box(set_.errors, scales_.exponents());
+    }
     if (!expand_variations()) {
         return false;
     }
-    const double radius = std::min(log_of_radius_, radius_of_variations());
-    set_tail_ = tail_near(varied_tape_, now_->of_set, time_, radius);
+    const double radius = std::min(log_of_radius_, now_->of_set.estimated_radius());
+    set_tail_ = now_->of_set.tail(time_, radius);
     return set_tail_.has_value();
+}
+
+// Whether the set gets another frame before this step.
+bool taylor_rule::settles() {
+    const lohner_set& errors = set_.errors;
+    const bool is_parallelepiped = errors.columns().size() == errors.size() && varied_.jacobian() != nullptr;
+    if (!is_parallelepiped || scales_.accepts_any_width() || ++unsettled_ > most_unsettled_steps) {
+        unsettled_ = 0;
+        return true;
+    }
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        if (!(errors.added()[i].shifted(bits_below_columns) <= errors.reach(i))) {
+            unsettled_ = 0;
+            return true;
+        }
+    }
+    return false;
 }
 
 bool taylor_rule::expand_variations() {
     const precision_scope few(decimal_digits(set_bits_));
-    const auto varied = varied_values(lifted_, time_, set_.hull());
-    const bool finite = all_finite(varied);
-    if (finite) {
-        now_->of_set.about(time_, as_state(varied));
-    }
-    return finite;
-}
-
-// At an equilibrium only the variations have a finite radius.
-double taylor_rule::radius_of_variations() const {
-    return estimated_radius(now_->of_set, varied_tape_.orders().size());
+    return now_->of_set.about(time_, set_.hull());
 }
 
 std::shared_ptr<taylor_series> taylor_rule::made_series() const {
     auto series = std::make_shared<taylor_series>();
-    series->places = {lifted_.given, lifted_.leaves.size()};
+    series->places = varied_.places();
     for (std::size_t i = 0; i < lifted_.given; ++i) {
         series->centre.push_back(now_->of_centre.series_of(static_cast<int>(i)));
         auto& row = series->variations.emplace_back();
         for (std::size_t j = 0; j < lifted_.given; ++j) {
-            row.push_back(now_->of_set.series_of(static_cast<int>(series->places.of(i, j))));
+            const ball* const first = now_->of_set.coefficients(i, j);
+            row.emplace_back(std::vector<ball>(first, first + now_->of_set.order() + 1));
         }
     }
     series->tail = *tail_;
@@ -203,11 +220,11 @@ std::shared_ptr<taylor_series> taylor_rule::made_series() const {
 // log2 of the longest step with a tail below the last bits of each unknown and small in the error map; any length is
 // valid. `growth` is that of the terms of the map.
 double taylor_rule::wanted_length(double& growth) {
-    const variation_places places{lifted_.given, lifted_.leaves.size()};
+    const variation_places places = varied_.places();
     const auto wanted = static_cast<double>(bits_below_truncation - bits_.error_bits);
     const double of_centre = scales_.longest(*tail_, now_->bits, usual_bits_below_set);
     const double at_first = std::min(of_centre, longest_for_map(*set_tail_, scales_, places, wanted));
-    growth = growth_of_terms(now_->of_set, scales_, places, at_first);
+    growth = growth_of_terms(now_->of_set, scales_, places.given, at_first);
     const double of_set = longest_for_map(*set_tail_, scales_, places, wanted - growth);
     // If the flow contracts much faster than the solution moves, the error map needs more terms and bits.
     if (of_set + worth_more_terms < of_centre) {

@@ -10,6 +10,7 @@
 #include "libration/integration/rule.hpp"
 #include "libration/integration/taylor/step_length.hpp"
 #include "series_step.hpp"
+#include "set_expansion.hpp"
 
 namespace libration::ode {
 
@@ -42,21 +43,23 @@ private:
     // The expansions, with the bits of the centre.
     struct expansions {
         long bits;
-        taylor_expansion<ball> of_centre, of_set;
+        taylor_expansion<ball> of_centre;
+        set_expansion of_set;
     };
 
     void make_expansions();
     bool expand_centre();
     bool expand_set();
+    bool settles();
     bool expand_variations();
-    double radius_of_variations() const;
     std::shared_ptr<taylor_series> made_series() const;
     double wanted_length(double& growth);
     magnitude shortened_for_width(const taylor_series& series, magnitude length) const;
     stop end_without_bounds() const;
 
     polynomial_form lifted_;
-    tape tape_, varied_tape_;
+    tape tape_;
+    set_form varied_;
     run_bits bits_;
     proof_route route_;
     error_weights weights_;
@@ -66,6 +69,7 @@ private:
     std::unique_ptr<expansions> now_;
     ball origin_;
     long steps_ = 0;
+    int unsettled_ = 0;  // steps with the same frame
 
     // Of the step in preparation.
     ball time_;
