@@ -197,9 +197,9 @@ private:
         }
     }
 
-    // The sum of the sizes of the terms of a node with a weight above a bound: all that may be above it.
+    // The sum of the sizes of the terms of a node with a weight above a bound, within the tolerance of the monomials.
     magnitude beyond(std::size_t node, double bound) const {
-        const auto at = std::ranges::lower_bound(sorted_, bound - 1e-6) - sorted_.begin();
+        const auto at = std::ranges::lower_bound(sorted_, bound + tolerance_of_weight / 2) - sorted_.begin();
         return tails_[node][static_cast<std::size_t>(at)];
     }
 
@@ -236,7 +236,7 @@ private:
                     const double by = each.power > 0 ? each.power * monomials_.weight_of(0).real_part() : 0;
                     sum += modulus_above(each.factor) * power *
                            (beyond(each.node - 1, highest - by) + above_[each.node - 1]);
-                } else if (each.power * monomials_.weight_of(0).real_part() > highest - 1e-6) {
+                } else if (each.power * monomials_.weight_of(0).real_part() > highest + tolerance_of_weight / 2) {
                     sum += modulus_above(each.factor) * pow(radii_[0], static_cast<unsigned long>(each.power));
                 }
             }

@@ -27,6 +27,8 @@ constexpr long known_bits_of_place = 40;
 constexpr double longest_movable_reach = 0.97;
 constexpr double shorter_reach = 0.94;
 constexpr int most_reaches = 60;
+// Near enough that the pieces before it reach the points that are in no tip.
+constexpr double longest_distance_of_base = 0.02;
 constexpr double part_of_reach_of_base = 0.2;
 constexpr long bits_of_polydisc = 40;
 constexpr long bits_of_coefficients = 12;
@@ -305,7 +307,7 @@ private:
         const local_model model = local_->model_at(box, monomials);
         result.place = box[0];
         // The ray from there to the base of the path is in the disc of the expansion.
-        result.base = near_ * (1 - part_of_reach_of_base * result.reach);
+        result.base = near_ * (1 - std::min(longest_distance_of_base, part_of_reach_of_base * result.reach));
         result.real = real_;
         result.order = local_->balance().orders[shown_];
         result.rest = above(model.scales[shown_]) * tail.beyond[shown_];
