@@ -201,6 +201,25 @@ TEST_CASE("boundary layers", "[ode][proved]") {
         "0.92768003983665113921912613798407667167");
 }
 
+// Von Karman's flow as above; free convection along a wall, 0.6422 and -0.5671 [Ostrach, Pr = 1]; u = 1 - exp(-t) cos t, v = exp(-t) sin t.
+TEST_CASE("several unknowns without first guesses", "[ode][proved]") {
+    const precision_scope scope(60);
+    const auto disk =
+        connected("F'' = F^2 - G^2 + F'*H; G'' = 2*F*G + H*G'; H' = -2*F; F(0)=0; G(0)=1; H(0)=0; F(inf)=0; G(inf)=0",
+                  {"F'(0)", "G'(0)"}, 15);
+    CHECK(disk.values[0].text == "0.510232618867285");
+    CHECK(disk.values[1].text == "-0.615922014399354");
+    const auto wall =
+        connected("F''' + 3*F*F'' - 2*F'^2 + T = 0; T'' + 3*F*T' = 0; F(0)=0; F'(0)=0; T(0)=1; F'(inf)=0; T(inf)=0",
+                  {"F''(0)", "T'(0)"}, 4);
+    CHECK(wall.values[0].text == "0.6422");
+    CHECK(wall.values[1].text == "-0.5671");
+    const auto spiral =
+        connected("u'' = -2*v; v'' = 2*(u-1); u(0)=0; v(0)=0; u(inf)=1; v(inf)=0", {"u'(0)", "v'(0)"}, 20);
+    CHECK(within_a_unit(spiral.values[0], ball(1), 20));
+    CHECK(within_a_unit(spiral.values[1], ball(1), 20));
+}
+
 TEST_CASE("limits that are refused, with the reason", "[ode][proved]") {
     const auto refusal = [](const std::string& text, const std::vector<std::string>& unknowns) {
         try {

@@ -7,6 +7,7 @@
 #include "../../algebra/dense_matrix.hpp"
 #include "candidate.hpp"
 #include "carried_connection.hpp"
+#include "combined_guesses.hpp"
 #include "enclosed_decimal.hpp"
 #include "first_guesses.hpp"
 #include "layer_connection.hpp"
@@ -17,6 +18,7 @@
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/decimal.hpp"
 #include "libration/scalar/error.hpp"
+#include "nearer_guess.hpp"
 #include "power_connection.hpp"
 #include "radial_connection.hpp"
 #include "searched_connection.hpp"
@@ -27,7 +29,7 @@ namespace libration::ode {
 namespace {
 
 constexpr std::size_t most_tried = 12;
-constexpr std::size_t few_values = 7;
+constexpr std::size_t most_moved = 4;  // first guesses, nearer to the equilibrium
 constexpr double first_part_beside = 1. / 64;
 constexpr double near_part_beside = 1. / 8;
 constexpr long digits_beside = 30;
@@ -68,7 +70,8 @@ public:
         const auto x = found();
         if (!x) {
             refuse_guess(
-                "is not found: Newton's method does not lead to a solution with these limits from the first "
+                "is not found: Newton's method does not lead to a solution "
+                "with these limits from the first "
                 "guess");
         }
         map_.degree = 0;
@@ -93,35 +96,6 @@ private:
         return ball(mpfr(x));
     }
 
-    // The first guesses that are given, with all combinations of values for those that are not.
-    std::vector<std::vector<double>> first_guesses() const {
-        std::vector<double> given = nearest_doubles(map_.open().values);
-        given.resize(map_.numbers() + map_.coordinates(), 1);
-        std::vector<std::vector<double>> all{given};
-        if (map_.coordinates() == 1) {
-            all.push_back(given);
-            all.back().back() = -1;
-        }
-        for (std::size_t i = 0; i < question_.unknowns.size(); ++i) {
-            if (std::ranges::find(question_.open, question_.unknowns[i]) == question_.open.end()) {
-                continue;
-            }
-            std::vector<std::vector<double>> more;
-            auto values = signed_first_guesses();
-            if (question_.open.size() > 1) {
-                values.resize(few_values);
-            }
-            for (const auto& before : all) {
-                for (const double value : values) {
-                    more.push_back(before);
-                    more.back()[i] = value;
-                }
-            }
-            all = std::move(more);
-        }
-        return all;
-    }
-
     struct attempt {
         std::vector<double> numbers;
         int side;
@@ -131,15 +105,24 @@ private:
     // The first guesses whose solutions come near to the equilibrium, nearest first.
     std::vector<attempt> attempts() {
         std::vector<attempt> all;
-        std::optional<error> wrong_number;  // at the first of several guesses, others may have other dimensions
-        for (const auto& numbers : first_guesses()) {
+        std::optional<error> wrong_number;  // at the first of several guesses,
+                                            // others may have other dimensions
+        const bool is_fixed = !map_.depends_on_numbers();
+        std::optional<std::vector<double>> chosen_at;  // the coordinates at the end
+        for (const auto& numbers : combined_guesses(map_, question_)) {
             for (const int side : {1, -1}) {
                 if (side < 0 && !map_.has_two_ends()) {
                     continue;
                 }
                 map_.degree = 12;
-                if (!map_.choose(numbers, side)) {
-                    continue;
+                const std::vector<double> now(numbers.begin() + static_cast<std::ptrdiff_t>(map_.numbers()),
+                                              numbers.end());
+                if (!is_fixed || chosen_at != now) {
+                    chosen_at.reset();
+                    if (!map_.choose(numbers, side)) {
+                        continue;
+                    }
+                    chosen_at = now;
                 }
                 if (map_.coordinates() > 0 && map_.right().variables() == 0) {
                     continue;  // on the other side of the line of equilibria
@@ -201,13 +184,33 @@ private:
         return std::nullopt;
     }
 
+    std::optional<std::vector<double>> found_nearer(const std::vector<attempt>& all) {
+        for (std::size_t i = 0; i < std::min(all.size(), most_moved); ++i) {
+            map_.degree = 12;
+            if (!map_.choose(all[i].numbers, all[i].side)) {
+                continue;
+            }
+            if (auto x = candidate_from(map_, nearer_guess(map_, all[i].numbers), all[i].side)) {
+                return x;
+            }
+        }
+        return std::nullopt;
+    }
+
     std::optional<std::vector<double>> found() {
         if (auto x = found_by_side(near_part_beside)) {
             return x;
         }
         const auto all = attempts();
         if (all.empty()) {
-            refuse_guess("is not found: at the first guess, the equilibrium has no invariant manifold that is proved");
+            refuse_guess(
+                "is not found: at the first guess, the equilibrium has no "
+                "invariant manifold that is proved");
+        }
+        if (question_.open.size() > 1) {
+            if (auto x = found_nearer(all)) {
+                return x;
+            }
         }
         for (const attempt& each : all) {
             if (auto x = candidate_from(map_, each.numbers, each.side)) {
@@ -242,7 +245,8 @@ private:
                         std::to_string(map_.right().variables()) + "-dimensional " + (map_.is_fast() ? "strong " : "") +
                         "stable manifold at t = " + time_text() + ", from where it tends to the limits exponentially";
         result.not_claimed = "that there are no other values of " + names +
-                             ", or that solutions that tend to the limits in another way are excluded";
+                             ", or that solutions that tend to the limits in "
+                             "another way are excluded";
         result.time = map_.direction() * map_.time;
         add_numbers(result, roots);
         return result;

@@ -59,7 +59,8 @@ std::optional<manifold_end> end_in(const parametric_system& open, const first_or
         const auto place = std::ranges::find(form.names, name);
         if (place == form.names.end()) {
             throw error(error_kind::argument, error_subject::condition, limits[i].text,
-                        "is not about an unknown or a lower derivative: choose one of those that are integrated");
+                        "is not about an unknown or a lower derivative: choose one "
+                        "of those that are integrated");
         }
         known.emplace_back(static_cast<std::size_t>(place - form.names.begin()), open.others[i]);
         texts += (texts.empty() ? "" : "; ") + limits[i].text;
@@ -79,7 +80,8 @@ void require_autonomous(const first_order_form& form, const explicit_system& sys
     for (const expression& each : form.slopes) {
         if (each.has_variable()) {
             throw error(error_kind::undecided, error_subject::problem, system.variable(),
-                        "occurs in the equation: conditions at infinity require an autonomous system with an "
+                        "occurs in the equation: conditions at infinity require an "
+                        "autonomous system with an "
                         "equilibrium");
         }
     }
@@ -111,6 +113,11 @@ connection_map::connection_map(const equation_system& system, const std::vector<
             row.push_back(partial(each, leaf));
         }
     }
+}
+
+bool connection_map::depends_on_numbers() const {
+    return !constants_of(open_, form_).empty() ||
+           std::ranges::any_of(open_.others, [](const expression& each) { return !each.is_constant(); });
 }
 
 std::size_t connection_map::coordinates() const { return left_coordinates() + right_coordinates(); }
