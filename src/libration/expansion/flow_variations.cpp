@@ -13,7 +13,7 @@ namespace libration::ode {
 
 namespace {
 
-// The derivatives of all unknowns of a form by the given ones, by rows; each row by the columns where it is not 0.
+// The derivatives of all unknowns of a form by the given ones, by rows; each row by the columns where it is nonzero.
 using jacobian_row = std::map<std::size_t, expression>;
 
 void add_by_chain(jacobian_row& row, std::size_t leaf, const expression& by, const std::vector<jacobian_row>& leaves) {
@@ -28,8 +28,8 @@ void add_by_chain(jacobian_row& row, std::size_t leaf, const expression& by, con
     }
 }
 
-gradient partials_of(const expression& e, const std::map<std::string, std::size_t>& places,
-                     const std::vector<expression>& leaves) {
+gradient nonzero_partials(const expression& e, const std::map<std::string, std::size_t>& places,
+                          const std::vector<expression>& leaves) {
     std::map<std::size_t, bool> occurring;
     each_leaf(e, [&](const expression& leaf) {
         if (leaf.kind() == node_kind::unknown) {
@@ -63,7 +63,7 @@ jacobian_form::differentiated::differentiated(const polynomial_form& of) {
     }
     for (std::size_t i = 0; i < of.given; ++i) {
         jacobian_row row;
-        for (const auto& [leaf, by] : partials_of(of.system.right()[i], places, of.leaves)) {
+        for (const auto& [leaf, by] : nonzero_partials(of.system.right()[i], places, of.leaves)) {
             add_by_chain(row, leaf, by, leaves);
         }
         for (auto& [column, value] : row) {
@@ -167,7 +167,7 @@ std::optional<tail_bound> flow_variations::bounded(const series_sizes& sizes, co
         sizes_of_entries.push_back(norms.parts(step).whole + change);
     }
     if (!std::ranges::all_of(sizes_of_entries, [](const magnitude& each) { return each.is_finite(); })) {
-        return std::nullopt;  // also if a factor 0 hides it
+        return std::nullopt;  // also where a factor of 0 hides it
     }
     const magnitude of_defect = radius / (degree + 1);
     const magnitude gain = radius / (degree + 2);

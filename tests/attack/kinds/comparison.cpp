@@ -1,4 +1,5 @@
-// Values by theorem G: of few and many unknowns, chained by squares, beside exact zeros, and backwards.
+// Values by theorem G, and of six and more unknowns by theorem V: few and many unknowns, chained by squares, beside exact
+// zeros, and backwards.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -57,7 +58,7 @@ solved_problem with_zeros(solved_problem problem, choices& next) {
 
 solved_problem any_compared_problem(choices& next) {
     switch (next.below(6)) {
-        case 0: return chained(static_cast<std::size_t>(next.between(2, 4)), next);
+        case 0: return chained(static_cast<std::size_t>(next.between(2, 8)), next);
         case 1: return chained(static_cast<std::size_t>(next.between(10, 14)), next);
         case 2: return with_zeros(alone(any_component(next), "x"), next);
         case 3: return with_zeros(chained(2, next), next);
@@ -71,8 +72,9 @@ outcome ask_comparison(choices& next) {
     const solved_problem problem = any_compared_problem(next);
     const rational since = reached_time(problem, next);
     const long digits = any_digits(next);
-    const auto integrator = problem.columns.size() >= 10 && next.one_in(4) ? ode::integrator_choice::automatic
-                                                                           : ode::integrator_choice::comparison;
+    // Of 6 and more unknowns also by theorem V, whose derivative of the flow is then a product of the Jacobian matrix.
+    const auto integrator = problem.columns.size() >= 6 && next.one_in(2) ? ode::integrator_choice::taylor
+                                                                          : ode::integrator_choice::comparison;
     if (next.one_in(2)) {
         return asked_enclosures(problem, since, 4 * digits + next.between(20, 64), integrator);
     }
