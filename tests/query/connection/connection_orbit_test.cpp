@@ -43,7 +43,7 @@ ball number_named(const connection& of, const std::string& name) {
 // u = 1/(1 + exp(t/sqrt 2)): with amplitude -1 at -inf, and 1 at inf.
 TEST_CASE("a front on the whole line is its closed form", "[ode][proved]") {
     const precision_scope scope(70);
-    const auto found = orbit_of(front, "c = 0.3", 30);
+    const auto found = orbit_of(front, "c=0.3", 30);
     REQUIRE(found.orbit);
     CHECK(found.orbit->quantities() == std::vector<std::string>{"u", "u'"});
     CHECK(found.phase.starts_with("u = u(-inf) - exp(0.707106781186548 t)"));
@@ -68,7 +68,7 @@ TEST_CASE("a front on the whole line is its closed form", "[ode][proved]") {
 // dp/dc = 4 (pi/32 - 1/24) on the unstable manifold and -4 (pi/32 + 1/24) on the stable one, and the orbit has the direction of u.
 TEST_CASE("the manifolds of a front intersect at an angle in closed form", "[ode][proved]") {
     const precision_scope scope(50);
-    const auto found = orbit_of(front, "c = 0.3", 25);
+    const auto found = orbit_of(front, "c=0.3", 25);
     const ball angle = atan(pi<ball>() / 8 + ball(1) / 6) + atan(pi<ball>() / 8 - ball(1) / 6);
     const ball computed = number_named(found, "angle of intersection");
     CHECK(contains(computed, angle));
@@ -78,7 +78,7 @@ TEST_CASE("the manifolds of a front intersect at an angle in closed form", "[ode
 // tanh(-t) from the initial point on, and before it.
 TEST_CASE("a wall on the half-line and beyond its initial point", "[ode][proved]") {
     const precision_scope scope(60);
-    const auto found = orbit_of("y'' = 2*y*(y^2 - 1); y(3) = 0; y(-inf) = 1", "y'(3) = -0.9", 25);
+    const auto found = orbit_of("y'' = 2*y*(y^2 - 1); y(3) = 0; y(-inf) = 1", "y'(3)=-0.9", 25);
     REQUIRE(found.orbit);
     const std::vector<ball> times{ball(3), ball(0), ball(-20), ball(4)};
     const auto states = found.orbit->states(times, 200);

@@ -57,7 +57,7 @@ TEST_CASE("the motion on a manifold is enclosed where it is linear, and else ref
     manifold_end end(form, lifted_about_points(system), far_state_of(form, {{0, expression(0)}}, 1), {}, 1);
     REQUIRE(end.choose({}, static_cast<std::size_t>(-1)));
     const std::vector<ball> times{ball(0), ball(1) / 2, ball(4)};
-    const auto found = end.along({}, {ball(1) / 2}, times, 6);
+    const auto found = end.along({}, {ball(1) / 2}, times, 12);
     REQUIRE(found);
     for (std::size_t i = 0; i < times.size(); ++i) {
         const ball x = magnitude::of(1, end.plan().log2_scale).exact() / 2 * exp(-times[i] / sqrt(ball(2)));
@@ -69,7 +69,7 @@ TEST_CASE("the motion on a manifold is enclosed where it is linear, and else ref
     manifold_end both(resonant, lifted_about_points(other),
                       far_state_of(resonant, {{0, expression(0)}, {1, expression(0)}}, 1), {}, 1);
     REQUIRE(both.choose({}, static_cast<std::size_t>(-1)));
-    CHECK_FALSE(both.along({}, {ball(1) / 4, ball(1) / 4}, times, 6));
+    CHECK_FALSE(both.along({}, {ball(1) / 4, ball(1) / 4}, times, 12));
 }
 
 }  // namespace query_connection_manifold_end_test
