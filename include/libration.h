@@ -224,8 +224,8 @@ int libration_problem_event_certificate(const libration_problem *problem, const 
                                         long digits, const char *path, libration_watch watch, void *context,
                                         libration_table **events);
 /* The parameters or initial values `unknowns`, "k, f''(0)", for which as many conditions hold, "f'(5) = 1; f(5) = 2",
- * near the values that the problem has, proved: name, value. A condition at infinity, "f'(inf) = 1", is decided by a
- * lemma about a problem of the catalogue; UNDECIDED without one. The callback is called in integrations, with 0, since
+ * near the values that the problem has, proved: name, value. Conditions at infinity, "f'(inf) = 1",
+ * are decided by the stable manifold, as in libration_find_at_infinity. The callback is called in integrations, with 0, since
  * the number of these is not known before; not in a proof by a lemma. */
 int libration_problem_find(const libration_problem *problem, const char *unknowns, const char *conditions, long digits,
                            libration_watch watch, void *context, libration_table **values);
@@ -255,6 +255,24 @@ int libration_problem_orbit(const libration_problem *problem, long digits, libra
 int libration_problem_orbit_certificate(const libration_problem *problem, long digits, const char *path,
                                         libration_watch watch, void *context, libration_table **orbit);
 void libration_problem_free(libration_problem *problem);
+
+/* ---- Solutions with limits at infinity. ---- */
+
+/* The numbers that conditions at infinity in the text determine, "f''' + f*f'' = 0; f(0)=0; f'(0)=0; f'(inf)=1", or "u(-inf) = 1; u(inf) = 0"
+ * for an orbit between two equilibria, each digit proved: name, value. `unknowns`, "c = 0.3, f''(0)", have first guesses or none; NULL are
+ * the parameters and initial values without a value. Rows after those of the unknowns are free limits, "H(inf)", rates of decay,
+ * "rate 1", "rate 1 at -inf", amplitudes, "amplitude of y", and the "angle of intersection", as far as they are proved. UNDECIDED if no solution is
+ * found or proved. The callback is called in integrations, with 0. */
+int libration_find_at_infinity(const char *text, const char *unknowns, long digits, libration_watch watch,
+                               void *context, libration_table **values);
+/* The same solution at times, "0, 1/2, inf", proved: time, then the unknowns and their lower derivatives. UNDECIDED with the table if a
+ * value is missing in it. */
+int libration_states_at_infinity(const char *text, const char *unknowns, const char *times, long digits,
+                                 libration_watch watch, void *context, libration_table **states);
+/* The first `count` eigenvalues of psi'' = (V(x) - E)*psi with a condition at each end in the text, "psi'' = (x^4 - E)*psi; psi(-inf) = 0;
+ * psi(inf) = 0", proved to be the first ones: name, E_0, E_1, .., value. UNDECIDED if there are fewer. */
+int libration_eigenvalues(const char *text, const char *energy, long count, long digits, libration_watch watch,
+                          void *context, libration_table **values);
 
 /* ---- One solution of a problem, for several questions. ---- */
 

@@ -18,6 +18,7 @@ from . import _libration
 from .ball import Ball, ball
 from .certificates import check
 from .errors import ArgumentError, Fault, LibrationError, RangeError, UnableError, UndecidedError, UndefinedError
+from .infinity import ConnectingSolution, at_infinity, eigenvalues
 from .ivp import OdeResult, OdeSolution, solve_ivp
 from .motions import Motion, Samples, motion
 from .odefun import OdeFunction, odefun
@@ -36,6 +37,7 @@ __all__ = [
     "ArgumentError",
     "Ball",
     "Branch",
+    "ConnectingSolution",
     "Derivatives",
     "Fault",
     "LibrationError",
@@ -57,9 +59,11 @@ __all__ = [
     "UndecidedError",
     "UndefinedError",
     "Verdicts",
+    "at_infinity",
     "ball",
     "catalogue",
     "check",
+    "eigenvalues",
     "exact",
     "motion",
     "odefun",

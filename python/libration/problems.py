@@ -405,8 +405,8 @@ class Problem:
         along: str | None = None,
     ) -> dict[str, Ball] | Branch:
         """The parameters or initial values "k", ["k", "f''(0)"] for which as many conditions "f'(5) = 1" hold, near the
-        values that the problem has, each digit proved. A condition at infinity, "f'(inf) = 1", is decided by a lemma
-        about a problem of the catalogue; UndecidedError without one.
+        values that the problem has, each digit proved. Conditions at infinity, "f'(inf) = 1", are decided as by
+        at_infinity(), which also gives the limits, rates and amplitudes.
 
         along, "k = 0:3.5:36" or a list of values in one direction, follows the branch of solutions in another parameter, from
         its first value on and past turning points, each point proved. Raises UndecidedError if a point is not proved, or
@@ -424,8 +424,8 @@ class Problem:
             except UndecidedError as problem:
                 raise with_partial(problem, lambda table: _branch(Table._of(table))) from None
         if certificate is not None:
-            return _values(Table._of(self._problem.find_certificate(names, conditions, digits, fspath(certificate))))
-        return _values(Table._of(self._problem.find(names, conditions, digits)))
+            return values_of(Table._of(self._problem.find_certificate(names, conditions, digits, fspath(certificate))))
+        return values_of(Table._of(self._problem.find(names, conditions, digits)))
 
     @with_progress
     def orbit(self, digits: int = 50, certificate: str | PathLike[str] | None = None) -> dict[str, Ball]:
@@ -435,8 +435,8 @@ class Problem:
         certificate is the path of a file from which check() proves again, in integers, that there is exactly one such orbit
         within one unit of the last digits."""
         if certificate is not None:
-            return _values(Table._of(self._problem.orbit_certificate(digits, fspath(certificate))))
-        return _values(Table._of(self._problem.orbit(digits)))
+            return values_of(Table._of(self._problem.orbit_certificate(digits, fspath(certificate))))
+        return values_of(Table._of(self._problem.orbit(digits)))
 
 
 class Values(dict[str, Ball]):
@@ -450,7 +450,8 @@ def _branch(table: Table) -> Branch:
     return Branch(table.names, table.cells)
 
 
-def _values(table: Table) -> Values:
+def values_of(table: Table) -> Values:
+    """Of the columns name and value."""
     found = Values()
     for row in table:
         value = row["value"]

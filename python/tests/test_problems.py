@@ -247,3 +247,29 @@ def test_a_delay():
     assert delayed.reference(2, 20)["x"].fraction() == Fraction(7, 2)
     with pytest.raises(lb.ArgumentError, match="has delays"):
         delayed.radius()
+
+
+def test_limits_at_infinity_determine_unknowns_as_in_the_command():
+    # Blasius's layer [Boyd2008]; sqrt(2) sech(t); 1/(1 + exp(t/sqrt(2))).
+    layer = lb.at_infinity("f''' + f*f'' = 0; f(0)=0; f'(0)=0; f'(inf)=1", digits=20)
+    assert str(layer["f''(0)"]) == "0.46959998836101330451"
+    assert str(layer.states([1, "inf"], digits=20).column("f'")[0]) == "0.46063257676899924547"
+    guessed = lb.problem("f''' + f*f'' = 0; f(0)=0; f'(0)=0; f''(0)=1/2").find("f''(0)", "f'(inf) = 1", 20)
+    assert str(guessed["f''(0)"]) == str(layer["f''(0)"])
+    soliton = lb.at_infinity("y'' = y - y^3; y'(0) = 0; y(inf) = 0", "y(0) = 1.4", digits=20)
+    assert list(soliton) == ["y(0)"]
+    assert near(soliton.amplitudes["y"], mpmath.sqrt(8), 19)
+    assert str(soliton.rates["rate 1"]) == "1.0000000000000000000"
+    front = lb.at_infinity("u'' + c*u' + u*(1-u)*(u-1/4) = 0; u(-inf) = 1; u(inf) = 0", digits=20)
+    assert front.angle is not None
+    assert str(front.angle).startswith("0.732302248989508")
+    assert str(front.states(["0"], digits=20).column("u")[0]) == "0.50000000000000000000"
+    with pytest.raises(lb.ArgumentError, match="no condition at infinity"):
+        lb.at_infinity("y' = -y; y(0) = 1")
+
+
+def test_eigenvalues_of_wells():
+    found = lb.eigenvalues("psi'' = (x^2 - E)*psi; psi(-inf) = 0; psi(inf) = 0", count=3, digits=20)
+    assert [str(each) for each in found] == ["1.0000000000000000000", "3.0000000000000000000", "5.0000000000000000000"]
+    with pytest.raises(lb.UndecidedError):
+        lb.eigenvalues("psi'' = (-6*sech(x)^2 - E)*psi; psi(-inf) = 0; psi(inf) = 0", count=3, digits=10)

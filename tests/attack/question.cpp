@@ -77,6 +77,7 @@ const std::vector<statement_kind>& statement_kinds() {
         {"root of time", "values across, from and up to a time with a root", 10, ask_root_time},
         {"limit", "limits at equilibria", 10, ask_limit},
         {"connection", "unknowns for which a solution has limits at infinity", 20, ask_connection},
+        {"connected state", "states of such solutions at times, at the ends, and amplitudes", 20, ask_connected_state},
         {"eigenvalue", "eigenvalues of wells, with their indices", 20, ask_eigenvalue},
         {"delay", "solutions with a constant delay, and an event; neutral equations", 10, ask_delay},
         {"set", "bounds of all solutions of a set, at times and at an event, and numbers of events", 10, ask_set},

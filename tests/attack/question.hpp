@@ -52,6 +52,7 @@ outcome ask_branch(choices& next);
 outcome ask_root_time(choices& next);
 outcome ask_limit(choices& next);
 outcome ask_connection(choices& next);
+outcome ask_connected_state(choices& next);
 outcome ask_eigenvalue(choices& next);
 outcome ask_delay(choices& next);
 outcome ask_set(choices& next);

@@ -215,7 +215,7 @@ TEST_CASE("words that nothing expects, and words that are missing, are refused",
     check_refused({"period", "--energy", "1", "--bogus", "7"}, {"'--bogus'"});
     check_refused({"period", "--energy", "1", "extra"}, {"'extra'"});
     check_refused({"period", "--energy"}, {"--energy", "missing"});
-    check_refused({"trajectory", "--energy", "1"}, {"--times", "required"});
+    check_refused({"trajectory", "--energy", "1"}, {"--times LIST"});
     check_refused({"coefficients", "--energy", "1"}, {"--order", "required"});
     check_refused({"period", "--energy", "1", "--energy", "2"}, {"--energy"});
     check_refused({"study"}, {"NAME"});

@@ -1508,9 +1508,26 @@ FAULTS = [
          "        if (open_in(e).empty()) {"),
     ),
     *in_file(
-        "src/libration/query/connection/connection.cpp", ["query/connection/connection_test.cpp"],
-        ("an amplitude at another time", "constant_value<ball>::of(map_.open().system.point()) * map_.direction() + exactly(map_.time)",
-         "exactly(map_.time)"),
+        "src/libration/query/connection/connection_orbit.cpp", ["query/connection/connection_test.cpp"],
+        ("an amplitude at another time", "exp(by->rate * joining_time() * map_.direction());", "exp(by->rate * exactly(map_.time));"),
+    ),
+    *in_file(
+        "src/libration/query/connection/connection_orbit.cpp", ["query/connection/connection_orbit_test.cpp"],
+        ("the time of an orbit with two ends without its phase", "map_.has_two_ends() ? time + phase_ :", "map_.has_two_ends() ? time :"),
+    ),
+    *in_file(
+        "src/libration/query/connection/manifold_motion.cpp", ["query/connection/manifold_end_test.cpp"],
+        ("the tail on the manifold at twice the degree", "pow(radius, static_cast<unsigned long>(degree) + 1);",
+         "pow(radius, 2 * static_cast<unsigned long>(degree) + 2);"),
+    ),
+    *in_file(
+        "src/libration/manifold/invariant_manifold.cpp", ["query/connection/manifold_end_test.cpp"],
+        ("a resonant motion taken for a linear one", "return !is_coupled_ && std::ranges::all_of(", "return !is_coupled_ || std::ranges::all_of("),
+    ),
+    *in_file(
+        "src/libration/query/connection/orbit_angle.cpp", ["query/connection/connection_orbit_test.cpp"],
+        ("an angle with the direction of the orbit", "    make_orthogonal(of_start, direction);\n", ""),
+        ("an angle at the end instead of t = 0", "flow_to(phase_, from->values, bits, state)", "flow_to(exactly(map_.time), from->values, bits, state)"),
     ),
     *in_file(
         "src/libration/query/connection/carried_connection.cpp", ["query/connection/connection_test.cpp"],

@@ -24,6 +24,7 @@ constexpr const char* without_problem = "has no meaning without --problem";
 constexpr const char* not_with_sets = "is not supported with sets of initial values and parameters";
 constexpr const char* not_with_delays = "is not supported for a problem with delays";
 constexpr const char* not_with_events = "is not supported for a problem with events or a piecewise right-hand side";
+constexpr const char* not_with_limits = "is not supported with conditions at infinity";
 constexpr const char* add_problem = "add --problem P";
 constexpr const char* add_until = "add --until \"x = 0\"";
 constexpr const char* one_of_two = "give one of the two";
@@ -59,6 +60,9 @@ const rules motion_rules{
 };
 
 const rules reference_rules{
+    {"--until --over --derivatives --trace --certificate --integrator --general", "limits", not_with_limits},
+    {"--set", "limits list", "has a list of values, which is not supported with conditions at infinity",
+     "give one value"},
     {"--integrator --derivatives --trace --certificate", "!--problem", without_problem},
     {"--until", "!--problem", "requires --problem", "leave it out, or write --problem pendulum"},
     {"--count --crossing --before --horizon --from-start --how-many", "!--until", "requires --until", add_until},
@@ -92,6 +96,15 @@ const rules reference_rules{
 };
 
 const rules trajectory_rules{
+    {"--method --order --via --step --scale --integrator --general", "limits", not_with_limits},
+    {"--set", "limits list", "has a list of values, which is not supported with conditions at infinity",
+     "give one value"},
+    {"--manifold", "!--problem", "is about an equilibrium of a --problem", add_problem},
+    {"--manifold", "!--equilibrium", "is given without an equilibrium", "add --equilibrium \"x=0,y=0\""},
+    {"--equilibrium", "!--manifold", "is given without --manifold", "add --manifold both"},
+    {"--times --unknown --guess --method --order --via --step --scale --scalar --integrator --general", "--manifold",
+     "has no meaning for --manifold"},
+    {"", "!--times|limits|--manifold", "no times are given", "add --times LIST"},
     {"--integrator", "!--problem", without_problem},
     {"--via", "!--problem", "is a path in the complex t-plane of a --problem",
      "leave it out, or give the motion as --problem \"x'' = -sin(x); x(0) = 2; x'(0) = 0\""},

@@ -48,7 +48,14 @@ void plot_axes::add_to(CLI::App& command) {
         .add_option("--plot", words_,
                     fmt::format("plot Y against X, t,x for a time series, x,y for a phase plane, t,x,y for several, {}",
                                 file_help))
-        ->type_name("X,Y,...");
+        ->type_name("X,Y,...")
+        ->expected(0, 1);
+}
+
+void plot_axes::use_if_empty(const std::string& names) {
+    if (words_ && words_->empty()) {
+        words_ = names;
+    }
 }
 
 std::optional<figure_file> plot_axes::file(const output_options& output) const {

@@ -31,6 +31,8 @@ class plot_axes {
 public:
     void add_to(CLI::App& command);
     bool given() const { return words_.has_value(); }
+    /// The names for --plot without names.
+    void use_if_empty(const std::string& names);
     /// The file of the figure, tested; std::nullopt without --plot. Throws input_error.
     std::optional<figure_file> file(const output_options& output) const;
     /// The names as they are given, two at least; t is the time. Throws input_error.

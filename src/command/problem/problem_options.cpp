@@ -10,7 +10,6 @@
 #include "change_words.hpp"
 #include "libration/equation/delay_system.hpp"
 #include "libration/equation/renamed_unknowns.hpp"
-#include "libration/equation/text/limit_condition.hpp"
 #include "libration/equation/text/parse.hpp"
 #include "libration/equation/unused_parameters.hpp"
 #include "libration/hybrid/initial_mode.hpp"
@@ -131,10 +130,11 @@ void problem_options::add_to(CLI::App& command, closed_forms known, set_values s
 
 std::string problem_options::heading() const {
     constexpr std::size_t longest = 72;
-    const problem_source of = problem_named(*problem_);
+    const std::string& words = with_limits_ ? *with_limits_ : *problem_;
+    const problem_source of = problem_named(words);
     std::string line = of.text.substr(0, of.text.find('\n'));
-    const bool typed = of.text == *problem_ && line == of.text;
-    const bool commented = problem_->find('/') != std::string::npos || problem_->ends_with(".ode");
+    const bool typed = of.text == words && line == of.text;
+    const bool commented = words.find('/') != std::string::npos || words.ends_with(".ode");
     if (!typed) {
         line = commented && line.starts_with('#') ? trimmed(line.substr(1)) : "";
     }
@@ -267,36 +267,6 @@ ode::equation_system problem_options::equations_with_open_starts(
     auto system = changed_equations(by_options);
     require_parameters(system, *problem_);
     return system;
-}
-
-std::vector<std::string> problem_options::take_limits() {
-    if (!problem_) {
-        return {};
-    }
-    ode::separated_text separated;
-    try {
-        separated = ode::with_limits_separated(problem_named(*problem_).text);
-        if (separated.limits.empty()) {
-            return {};
-        }
-        const auto ends_at = [&](const char* end) {
-            return std::ranges::any_of(separated.limits,
-                                       [&](const std::string& each) { return each.find(end) != std::string::npos; });
-        };
-        const auto system = ode::parse(separated.problem);
-        const auto highest = system.highest_derivatives();
-        for (const std::string& name :
-             ends_at("(-inf)") && ends_at("(inf)") ? system.unknowns() : std::vector<std::string>()) {
-            for (int order = 0; order < highest.at(name); ++order) {
-                separated.problem += fmt::format("\n{}(0) = 0", ode::primed(name, order));
-            }
-        }
-    } catch (const error&) {
-        return {};  // reported where the problem is read
-    }
-    problem_ = separated.problem;
-    limits_ = separated.limits;
-    return limits_;
 }
 
 void problem_options::state_first_branch() const {

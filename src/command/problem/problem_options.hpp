@@ -82,6 +82,10 @@ public:
     /// Removes the conditions at infinity, f'(inf) = 1, from the text of the problem. If there are conditions at both
     /// ends, missing initial values, which then have no effect, are set to 0.
     std::vector<std::string> take_limits();
+    /// Whether the text of the problem has conditions at infinity that were not removed.
+    bool has_limits() const;
+    /// Removes these words from --show, unless the problem has such a name, and returns them.
+    std::vector<std::string> take_shown(const std::vector<std::string>& words);
     /// The argument as it was given, without what take_limits() removed.
     const std::optional<std::string>& problem() const { return problem_; }
     const std::vector<std::string>& changes() const { return changes_; }
@@ -108,7 +112,8 @@ private:
     std::optional<std::string> problem_;
     std::vector<std::string> changes_;
     std::vector<std::string> shown_;
-    std::vector<std::string> limits_;  ///< taken by take_limits()
+    std::vector<std::string> limits_;         ///< taken by take_limits()
+    std::optional<std::string> with_limits_;  ///< the argument before that
     bool general_ = false;
     bool announced_ = false;  ///< the first of a family has announced what holds for all
     std::shared_ptr<bool> warned_ = std::make_shared<bool>(false);  ///< once for all copies

@@ -6,12 +6,14 @@
 #include <memory>
 #include <utility>
 
+#include "first_values.hpp"
 #include "found_eigenvalues.hpp"
 #include "found_solutions.hpp"
 #include "libration/equation/text/parse.hpp"
 #include "libration/number/grid.hpp"
 #include "libration/problem/find.hpp"
 #include "libration/problem/known_facts.hpp"
+#include "libration/problem/limit_solution.hpp"
 #include "option/options.hpp"
 #include "option/output_place.hpp"
 #include "option/subcommand.hpp"
@@ -35,6 +37,7 @@ struct find_options {
     std::vector<std::string> unknowns, conditions, guesses;
     std::vector<std::string> without_guess;  // at infinity, where several values are tried
     std::optional<std::string> along, certificate, eigenvalue, count;
+    std::vector<std::string> shown;  // of numbers_at_infinity()
     bool periodic = false, homoclinic = false, check = false;
     orbit_options orbit;
 };
@@ -129,43 +132,6 @@ branch_values read_along(const find_options& options) {
     return along;
 }
 
-// The values from which the search begins, with the options that give them.
-std::vector<std::pair<std::string, std::string>> first_values(const first_guess& guess,
-                                                              const std::optional<branch_values>& along) {
-    std::vector<std::pair<std::string, std::string>> values;
-    for (const std::string& each : guess) {
-        values.emplace_back("--guess", each);
-    }
-    if (along) {
-        values.emplace_back("--along", along->parameter + " = " + along->values.front());
-    }
-    return values;
-}
-
-// An unknown parameter that the problem leaves open and that no option gives.
-void require_first_values(const find_options& options, const first_guess& guess,
-                          const std::optional<branch_values>& along) {
-    ode::equation_system typed;
-    try {
-        typed = problem(problem_named(*options.problem.problem()).text).equations();
-    } catch (const error&) {
-        return;  // problem_options::equations() reports it
-    }
-    const auto gives = [](const std::string& change, const std::string& name) {
-        return without_blanks(change).starts_with(name + "=");
-    };
-    for (const std::string& name : options.unknowns) {
-        const bool given =
-            (along && along->parameter == name) ||
-            std::ranges::any_of(guess, [&](const auto& each) { return gives(each, name); }) ||
-            std::ranges::any_of(options.problem.changes(), [&](const auto& each) { return gives(each, name); });
-        if (typed.is_open(name) && !given) {
-            throw input_error("--unknown", name, "has no first value from which the search begins",
-                              "add --guess " + name + "=1, or another number near the solution");
-        }
-    }
-}
-
 // The branches of all first guesses.
 int run_along(const find_options& options, const problem& of, const branch_values& along,
               const std::vector<first_guess>& guesses, const request& how, long digits) {
@@ -194,14 +160,17 @@ int run_along(const find_options& options, const problem& of, const branch_value
 int print_solutions(const find_options& options, const found_solutions& found, long digits,
                     const std::optional<error>& ended) {
     if (!found.solutions().empty()) {
-        options.output.write(found.as_table(digits, !options.guesses.empty()), found.as_text());
+        options.output.write(found.as_table(digits, !options.guesses.empty(), options.shown),
+                             found.as_text(options.shown));
     }
     for (const std::string& each : found.remarks()) {
         say_line(shortened(each));
     }
     if (!found.solutions().empty()) {
         for (const answer_note& each : found.solutions().front().notes) {
-            say_line(each.name + ": " + each.text);
+            if (!is_number_at_infinity(each.name, options.shown)) {
+                say_line(each.name + ": " + each.text);
+            }
         }
     }
     if (ended) {
@@ -210,30 +179,12 @@ int print_solutions(const find_options& options, const found_solutions& found, l
     return found.has_failures() ? 1 : 0;
 }
 
-// The first value of an unknown that has none, where several are tried.
-void give_first_values(find_options& options, first_guess& guess) {
-    const ode::equation_system typed = problem(problem_named(*options.problem.problem()).text).equations();
-    const auto is_given = [&](const std::string& name) {
-        const auto gives = [&](const std::string& each) { return without_blanks(each).starts_with(name + "="); };
-        const auto paren = name.find('(');
-        return std::ranges::any_of(guess, gives) || std::ranges::any_of(options.problem.changes(), gives) ||
-               (paren == std::string::npos
-                    ? !typed.is_open(name)
-                    : std::ranges::any_of(typed.starts, [&](const ode::start& each) {
-                          return ode::primed(each.of.name(), each.of.derivative()) == name.substr(0, paren);
-                      }));
-    };
-    for (const std::string& name : options.unknowns) {
-        if (!is_given(name)) {
-            options.without_guess.push_back(name);
-            guess.push_back(name + " = 1");
-        }
-    }
-}
-
 int run_find(find_options options) {
     for (const std::string& each : options.problem.take_limits()) {
         options.conditions.push_back(each);
+    }
+    if (options.homoclinic || std::ranges::any_of(options.conditions, is_at_infinity)) {
+        options.shown = options.problem.take_shown(numbers_at_infinity());
     }
     options.output.check();
     const long digits = digits_of(options.digits);
@@ -248,10 +199,10 @@ int run_find(find_options options) {
     }
     auto guesses = first_guesses(options.guesses, options.unknowns);
     if (options.homoclinic || std::ranges::any_of(options.conditions, is_at_infinity)) {
-        give_first_values(options, guesses.front());
+        options.without_guess = add_first_values(options.problem, options.unknowns, guesses.front());
     }
     const auto along = options.along ? std::optional(read_along(options)) : std::nullopt;
-    require_first_values(options, guesses.front(), along);
+    require_first_values(options.problem, options.unknowns, guesses.front(), along);
     const problem of(options.problem.equations(first_values(guesses.front(), along)));
     if (options.homoclinic) {
         problem near = of;

@@ -8,6 +8,7 @@
 
 #include "libration/number/grid.hpp"
 #include "libration/number/two_proofs.hpp"
+#include "libration/problem/limit_solution.hpp"
 #include "problem/swept_problem.hpp"
 #include "text/input_error.hpp"
 
@@ -96,15 +97,38 @@ std::string found_solutions::failure(const first_guess& guess) const {
     return name_of_guess(guess) + " leads to no solution";
 }
 
-table found_solutions::as_table(long digits, bool numbered) const {
+namespace {
+
+// The values, then the numbers of the notes.
+std::vector<std::vector<answer_value>> rows_with_numbers(const answer& of, const std::vector<std::string>& shown) {
+    auto rows = of.rows;
+    for (const answer_note& each : of.notes) {
+        if (is_number_at_infinity(each.name, shown)) {
+            rows.push_back({text_value(each.name), {each.text, ""}});
+        }
+    }
+    return rows;
+}
+
+long significant_digits(const std::string& decimal) {
+    const auto first = decimal.find_first_of("123456789");
+    const std::string_view counted = std::string_view(decimal).substr(std::min(first, decimal.size()));
+    return std::ranges::count_if(counted.substr(0, counted.find('e')), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+}  // namespace
+
+table found_solutions::as_table(long digits, bool numbered, const std::vector<std::string>& shown) const {
     std::vector<column> columns{{"name", ""}, {"value", ""}, {"digits", ""}, {"rigour", ""}};
     if (numbered) {
         columns.insert(columns.begin(), {"solution", ""});
     }
     table data(columns);
     for (std::size_t i = 0; i < solutions_.size(); ++i) {
-        for (const auto& row : solutions_[i].rows) {
-            table_row_cells cells{row[0].text, cell::number(row[1].text, digits), digits, solutions_[i].rigour};
+        for (const auto& row : rows_with_numbers(solutions_[i], shown)) {
+            const bool is_beside = is_number_at_infinity(row[0].text, shown);
+            const long own = is_beside ? std::min(digits, significant_digits(row[1].text)) : digits;
+            table_row_cells cells{row[0].text, cell::number(row[1].text, own), own, solutions_[i].rigour};
             if (numbered) {
                 cells.insert(cells.begin(), cell(static_cast<long>(i + 1)));
             }
@@ -114,15 +138,16 @@ table found_solutions::as_table(long digits, bool numbered) const {
     return data;
 }
 
-std::string found_solutions::as_text() const {
+std::string found_solutions::as_text(const std::vector<std::string>& shown) const {
     std::string lines;
     for (const answer& each : solutions_) {
         lines += lines.empty() ? "" : "\n";
         std::size_t width = 10;
-        for (const auto& row : each.rows) {
+        const auto rows = rows_with_numbers(each, shown);
+        for (const auto& row : rows) {
             width = std::max(width, row[0].text.size() + 2);
         }
-        for (const auto& row : each.rows) {
+        for (const auto& row : rows) {
             const bool known = !row[1].text.empty();
             lines += fmt::format("{:<{}}{}\n", row[0].text, width,
                                  known ? row[1].text : "less than " + row[1].bound + " in absolute value");

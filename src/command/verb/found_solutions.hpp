@@ -52,9 +52,10 @@ class found_solutions : public guessed_answers {
 public:
     const std::vector<answer>& solutions() const { return solutions_; }
     /// name, value, digits and rigour; of several first guesses in a first column the number of the solution.
-    table as_table(long digits, bool numbered) const;
+    /// The notes that are a number of `shown` (numbers_at_infinity) have rows too.
+    table as_table(long digits, bool numbered, const std::vector<std::string>& shown = {}) const;
     /// The same as lines, with a blank line between solutions.
-    std::string as_text() const;
+    std::string as_text(const std::vector<std::string>& shown = {}) const;
 
 private:
     void keep(const first_guess& guess, answer found) override;

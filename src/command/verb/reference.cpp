@@ -6,9 +6,10 @@
 #include <memory>
 #include <utility>
 
-#include "libration/number/grid.hpp"
-#include "libration/problem/known/pendulum_solution.hpp"
+#include "asked_solution.hpp"
 #include "libration/scalar/list_items.hpp"
+#include "limit_options.hpp"
+#include "limit_states.hpp"
 #include "option/options.hpp"
 #include "option/output_place.hpp"
 #include "option/subcommand.hpp"
@@ -17,7 +18,6 @@
 #include "problem/certificate_file.hpp"
 #include "problem/event_options.hpp"
 #include "problem/integrator_options.hpp"
-#include "problem/motion_cells.hpp"
 #include "problem/problem_events.hpp"
 #include "problem/problem_options.hpp"
 #include "problem/problem_trajectory.hpp"
@@ -27,7 +27,6 @@
 #include "run/progress.hpp"
 #include "sweep/study_order.hpp"
 #include "text/input_error.hpp"
-#include "text/point_file.hpp"
 
 namespace libration {
 
@@ -43,6 +42,7 @@ struct reference_options {
     plot_axes plot;
     event_options events;
     set_options sets;
+    limit_options limits;
     std::optional<std::string> digits, times, derivatives, motions, columns, rename, jobs, trace, certificate;
     bool check = false;
 
@@ -59,109 +59,6 @@ struct reference_options {
 
 // The second route sums about D/3 columns of D digits: minutes at this many, hours for far more.
 constexpr long most_checked_digits = 10'000;
-constexpr const char* infinite_time = "inf";
-
-// A solution with the requested times.
-struct asked_solution {
-    std::unique_ptr<solution> of;
-    std::vector<exact> times;
-    std::string typed;  ///< the argument that gave the times, for messages
-    std::optional<chosen_motion> motion = {};
-};
-
-// The cells that all times of a motion share.
-shared_cells cells_of_motion(const asked_solution& asked, const request& how) {
-    const chosen_motion& chosen = *asked.motion;
-    const answer constants = *asked.of->constants(how);
-    const auto constant = [&](const char* name) { return number_cell(constants.at(0, name)); };
-    const long digits = how.printed_digits();
-    const motion& m = chosen.of;
-    const cell theta0 = m.theta0() ? number_cell(angle_in_decimals(*m.theta0(), digits)) : cell();
-    const cell omega0 = chosen.by_state ? number_cell(angle_in_decimals(read_typed(chosen.value), digits)) : cell();
-    const std::string direction = chosen.by_state || m.omega0_sign() == 0 ? "" : m.direction() < 0 ? "-" : "+";
-    const auto energy = [&](const char* name, const std::optional<std::string>& exactly) {
-        return exactly ? number_cell(*exactly) : constant(name);
-    };
-    return {{{"energy", energy("energy", chosen.energy)},
-             {"gap", energy("gap", chosen.gap)},
-             {"regime", std::string(name_of(m.regime()))},
-             {"theta0", theta0},
-             {"omega0", omega0}},
-            {{"period", constant("period")}, {"tstar", constant("tstar")}, {"radius", constant("radius")}},
-            {{"direction", direction}},
-            {{"energy_typed", chosen.energy_typed},
-             {"gap_typed", chosen.gap_typed},
-             {"theta0_typed", chosen.theta0_typed},
-             {"omega0_typed", chosen.omega0_typed}}};
-}
-
-asked_solution asked_of(chosen_motion chosen, std::vector<exact> times, std::string typed) {
-    auto of = solution_of(chosen.of);
-    return {std::move(of), std::move(times), std::move(typed), std::move(chosen)};
-}
-
-partial_table states_of(const asked_solution& asked, const request& how) {
-    if (asked.typed == infinite_time) {
-        const exact inf{0, unit::one, infinite_time};
-        return states_table(asked.of->limits(how), {inf}, {infinite_time}, how.printed_digits());
-    }
-    try {
-        return states_table(*asked.of, asked.times, how, asked.motion ? cells_of_motion(asked, how) : shared_cells{});
-    } catch (const error& problem) {
-        if (problem.kind() != error_kind::range || !problem.is_about(error_subject::time)) {
-            throw;
-        }
-        throw input_error("--times", asked.typed,
-                          "has '" + problem.value() + "', where the angular velocity is too small to be printed",
-                          "choose times closer to 0");
-    }
-}
-
-asked_solution motion_of_options(const reference_options& options, long digits) {
-    chosen_motion chosen = options.motion.choose_for({scalar_kind::proved, digits});
-    auto times = times_of(*options.times, chosen.of.regime());
-    return asked_of(std::move(chosen), std::move(times), *options.times);
-}
-
-std::vector<known_column> columns_of_motions() {
-    auto known = motion_columns::known();
-    const auto of_time = time_columns::known();
-    known.insert(known.end(), of_time.begin(), of_time.end());
-    return known;
-}
-
-// The motions of a file, with those of consecutive rows combined.
-std::vector<asked_solution> motions_of_file(const reference_options& options) {
-    const point_file file("--motions", *options.motions, options.rename, columns_of_motions());
-    const motion_columns columns(file.names());
-    const time_columns time(file.names());
-    if (time.there() == options.times.has_value()) {
-        throw input_error("--motions", *options.motions,
-                          time.there() ? "has times, and --times too" : "has no column 'time'",
-                          time.there() ? "leave out --times, or the column by --columns time=-" : "add --times LIST");
-    }
-    std::vector<asked_solution> motions;
-    std::string before;
-    for (const point_file::row& row : file.rows()) {
-        file.reading(row, [&](const auto& all) {
-            motion_cells cells = columns.in(all);
-            cells.complete_from(motion_cells::of(options.motion));
-            if (motions.empty() || cells.key() != before || !time.there()) {
-                motions.push_back(asked_of(cells.choose(), {}, options.times.value_or("")));
-                before = cells.key();
-            }
-            asked_solution& here = motions.back();
-            if (time.there()) {
-                here.typed = time.in(all).text;
-                here.times.push_back(time_for(time.in(all), here.motion->of.regime()));
-            } else {
-                here.times = times_of(here.typed, here.motion->of.regime());
-            }
-            return true;
-        });
-    }
-    return motions;
-}
 
 void check_if_asked(const reference_options& options) {
     if (options.check) {
@@ -251,9 +148,9 @@ std::vector<asked_solution> asked_by(const reference_options& options, const std
             asked.push_back(problem_of_options(options, each.problem, general));
         }
     } else if (options.motions) {
-        asked = motions_of_file(options);
+        asked = asked_motions(options.motion, *options.motions, options.rename, options.times);
     } else {
-        asked.push_back(motion_of_options(options, digits));
+        asked.push_back(asked_motion(options.motion, *options.times, digits));
     }
     return asked;
 }
@@ -322,6 +219,12 @@ bool has(const reference_options& options, std::string_view property) {
         return false;
     }
     const auto family = options.problem.family();
+    if (property == "list") {
+        return family.size() > 1;
+    }
+    if (property == "limits" || options.problem.has_limits()) {
+        return property == "limits" && options.problem.has_limits();
+    }
     if (property == "family") {
         return family.size() > 1;
     }
@@ -331,8 +234,12 @@ bool has(const reference_options& options, std::string_view property) {
                                   : !equations.is_smooth();
 }
 
-int run_reference(const reference_options& options) {
+int run_reference(reference_options options) {
     options.output.check();
+    if (const auto of = options.limits.take(options.problem)) {
+        return write_limit_states(*of, {options.times, digits_of(options.digits), options.check, true}, options.problem,
+                                  options.output, options.plot);
+    }
     if (options.certificate) {
         require_output_place("--certificate", *options.certificate);
     }
@@ -418,6 +325,7 @@ subcommand reference_command(CLI::App& program) {
     command->add_option("--jobs", options->jobs, "number of threads (default: all cores)")->type_name("J");
     options->events.add_to(*command);
     options->sets.add_to(*command);
+    options->limits.add_to(*command);
     command->add_flag(
         "--check", options->check,
         "compare with a second proof by another route, exit 1 if they disagree; with --certificate also run "

@@ -8,6 +8,9 @@
 #include <tuple>
 
 #include "libration/problem/known/pendulum_solution.hpp"
+#include "limit_options.hpp"
+#include "limit_states.hpp"
+#include "manifold_portrait.hpp"
 #include "option/options.hpp"
 #include "option/subcommand.hpp"
 #include "plot/plot_options.hpp"
@@ -36,7 +39,9 @@ struct trajectory_options {
     plot_axes plot;
     std::optional<std::string> method;
     std::optional<std::string> order;
-    std::string times;
+    std::optional<std::string> times;
+    limit_options limits;
+    manifold_options manifold;
     std::optional<std::string> via;
     std::optional<std::string> step;
     std::optional<std::string> scale;
@@ -109,7 +114,7 @@ trajectory_request choose(const trajectory_options& options) {
                           "use exact, series or resummed");
     }
     const int order = options.order ? order_of("--order", *options.order) : 0;
-    return {std::move(chosen), numbers, method, order, step, times_of(options.times, r), jobs_of(options.jobs)};
+    return {std::move(chosen), numbers, method, order, step, times_of(*options.times, r), jobs_of(options.jobs)};
 }
 
 // A time without digits is an empty row.
@@ -147,19 +152,19 @@ partial_table trajectory_of_problem(const trajectory_options& options) {
         const exact step = positive_number_of("--step", options.step.value_or(defaults::step));
         const auto scale =
             by_scale && options.scale ? std::optional(positive_number_of("--scale", *options.scale)) : std::nullopt;
-        return {problem_approximation(options.problem, {method, order, step, scale}, times_of_problem(options.times),
+        return {problem_approximation(options.problem, {method, order, step, scale}, times_of_problem(*options.times),
                                       numbers),
                 {},
                 {},
                 {}};
     }
-    if (options.via || has_imaginary_unit(options.times)) {
+    if (options.via || has_imaginary_unit(*options.times)) {
         const auto of = options.problem.general_solution();
         const auto corners = corners_of(options.via);
-        const auto points = complex_points("--times", options.times);
+        const auto points = complex_points("--times", *options.times);
         return {problem_trajectory_along(*of, corners, points, numbers), {}, {}, {}};
     }
-    const auto times = times_of_problem(options.times);
+    const auto times = times_of_problem(*options.times);
     const bool fixed = numbers.scalar.kind != scalar_kind::proved && numbers.scalar.kind != scalar_kind::arbitrary;
     const auto of = options.problem.solution(fixed || options.method == "taylor" || options.integrator.integrates());
     progress shown("trajectory", progress_of_part::steps);
@@ -171,7 +176,7 @@ partial_table trajectory_of_problem(const trajectory_options& options) {
 // Whether solutions of a problem are integrated in double, without a path or an approximation.
 bool is_integrated_in_double(const trajectory_options& options) {
     return options.problem.is_chosen() && options.arithmetic.choose().scalar.kind == scalar_kind::binary64 &&
-           !options.via && !has_imaginary_unit(options.times) && options.method.value_or("taylor") == "taylor";
+           !options.via && !has_imaginary_unit(*options.times) && options.method.value_or("taylor") == "taylor";
 }
 
 // The motion, or each member of a family of problems, those in double in lock step where that is possible.
@@ -186,7 +191,7 @@ std::vector<partial_table> parts_of(const trajectory_options& options, const std
     const bool by_taylor =
         parts.front().collocation.empty() && options.integrator.choice() != ode::integrator_choice::collocation;
     if (family.size() > 1 && by_taylor && is_integrated_in_double(options)) {
-        together = family_in_lock_step(family, times_of_problem(options.times), options.arithmetic.choose().digits,
+        together = family_in_lock_step(family, times_of_problem(*options.times), options.arithmetic.choose().digits,
                                        jobs_of(options.jobs));
     }
     for (std::size_t i = 1; i < family.size(); ++i) {
@@ -196,10 +201,17 @@ std::vector<partial_table> parts_of(const trajectory_options& options, const std
 }
 
 // A motion, or the solutions of a problem, one or a family.
-int run_trajectory(const trajectory_options& options) {
+int run_trajectory(trajectory_options options) {
     constexpr std::size_t most_in_double = 100'000;
     constexpr std::size_t most_otherwise = 1000;
     options.output.check();
+    if (options.manifold.given()) {
+        return options.manifold.write(options.problem, options.output, options.plot);
+    }
+    if (const auto of = options.limits.take(options.problem)) {
+        return write_limit_states(*of, {options.times, options.arithmetic.choose().digits, false}, options.problem,
+                                  options.output, options.plot);
+    }
     const auto figure = options.plot.file(options.output);
     const bool of_problem = options.problem.is_chosen();
     const auto family = of_problem
@@ -233,6 +245,8 @@ subcommand trajectory_command(CLI::App& program) {
     options->arithmetic.add_to(*command, arithmetics::proved_too);
     options->output.add_to(*command);
     options->plot.add_to(*command);
+    options->limits.add_to(*command);
+    options->manifold.add_to(*command);
     command
         ->add_option("--method", options->method,
                      "exact (the default); series, resummed or uniform, with --order; rk4; of a problem taylor (the "
@@ -241,9 +255,10 @@ subcommand trajectory_command(CLI::App& program) {
     command->add_option("--order", options->order, "last power N of series or uniform, last index of the resummation")
         ->type_name("N");
     command
-        ->add_option("--times,--time", options->times, "times: 0,1.5,T/4 or a range 0:20:401; of a problem also 1+2i")
-        ->type_name("LIST")
-        ->required();
+        ->add_option("--times,--time", options->times,
+                     "times: 0,1.5,T/4 or a range 0:20:401; of a problem also 1+2i; with conditions at infinity also "
+                     "inf and -inf (default: as far as the solution moves visibly)")
+        ->type_name("LIST");
     command
         ->add_option("--via", options->via,
                      "corners of the path to the times of a problem in the complex plane: 1+i,2+i")
@@ -260,7 +275,11 @@ subcommand trajectory_command(CLI::App& program) {
         ->type_name("C");
     command->add_option("--jobs", options->jobs, "number of threads (default: all cores)")->type_name("J");
     return {command, [options] { return run_trajectory(*options); },
-            [options](std::string_view /*complex*/) { return has_imaginary_unit(options->times); }};
+            [options](std::string_view property) {
+                return property == "limits" ? options->problem.has_limits()
+                       : property == "list" ? options->problem.family().size() > 1
+                                            : options->times && has_imaginary_unit(*options->times);
+            }};
 }
 
 }  // namespace libration

@@ -322,6 +322,23 @@ PYBIND11_MODULE(_libration, m) {
     m.def("list_radius", [](const std::string& coefficients, long digits) {
         return table([&](auto** to) { return libration_list_radius(coefficients.c_str(), digits, to); });
     });
+    m.def("find_at_infinity", [](const std::string& text, const std::string& unknowns, long digits) {
+        return table([&](auto** to) {
+            return libration_find_at_infinity(text.c_str(), unknowns.c_str(), digits, watch_signals, nullptr, to);
+        });
+    });
+    m.def("states_at_infinity", [](const std::string& text, const std::string& unknowns, const std::string& times,
+                                   long digits) {
+        return known_table([&](auto** to) {
+            return libration_states_at_infinity(text.c_str(), unknowns.c_str(), times.c_str(), digits, watch_signals,
+                                                nullptr, to);
+        });
+    });
+    m.def("eigenvalues", [](const std::string& text, const std::string& energy, long count, long digits) {
+        return table([&](auto** to) {
+            return libration_eigenvalues(text.c_str(), energy.c_str(), count, digits, watch_signals, nullptr, to);
+        });
+    });
     m.def("catalogue", [] {
         std::vector<std::pair<std::string, std::string>> all;
         for (std::size_t i = 0; i < libration_catalogue_size(); ++i) {

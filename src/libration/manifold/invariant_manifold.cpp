@@ -189,6 +189,13 @@ void invariant_manifold::subtract_normal_form(std::vector<block>& rest, int m) c
     }
 }
 
+bool invariant_manifold::moves_linearly() const {
+    const auto vanishes = [](const block& terms) { return std::ranges::all_of(terms, &complex_jet::is_zero); };
+    return !is_coupled_ && std::ranges::all_of(normal_, [&](const series& each) {
+        return std::all_of(each.begin() + std::min<std::ptrdiff_t>(2, std::ssize(each)), each.end(), vanishes);
+    });
+}
+
 std::vector<double> invariant_manifold::sizes() const {
     std::vector<double> result(static_cast<std::size_t>(degree_) + 1);
     for (std::size_t m = 1; m < result.size(); ++m) {

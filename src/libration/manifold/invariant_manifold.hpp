@@ -36,6 +36,8 @@ public:
     int degree() const { return degree_; }
     /// The diagonal d_s.
     const std::vector<complex_jet>& rates() const { return rates_; }
+    /// Whether h = diag(d) theta: no nearly equal eigenvalues, and no resonant terms.
+    bool moves_linearly() const;
 
     struct point {
         std::vector<complex_jet> value;  ///< of the moving unknowns, without the tail

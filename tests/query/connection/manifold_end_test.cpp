@@ -49,4 +49,27 @@ TEST_CASE("a manifold with a parameter is enclosed, with its derivatives", "[ode
     }
 }
 
+// The same at later times, where x = 2^scale theta exp(-t/sqrt 2) for k = 1/2; and s' = -s, v' = -2 v + s^2, where v has a factor t.
+TEST_CASE("the motion on a manifold is enclosed where it is linear, and else refused", "[ode][proved]") {
+    const precision_scope scope(40);
+    const explicit_system system(parse("y'' = y/2 - y^3; y(0) = 1; y'(0) = 0"));
+    const first_order_form form(system);
+    manifold_end end(form, lifted_about_points(system), far_state_of(form, {{0, expression(0)}}, 1), {}, 1);
+    REQUIRE(end.choose({}, static_cast<std::size_t>(-1)));
+    const std::vector<ball> times{ball(0), ball(1) / 2, ball(4)};
+    const auto found = end.along({}, {ball(1) / 2}, times, 12);
+    REQUIRE(found);
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        const ball x = magnitude::of(1, end.plan().log2_scale).exact() / 2 * exp(-times[i] / sqrt(ball(2)));
+        CHECK(contains((*found)[i][0], x / (ball(1) + x * x / 4)));
+        CHECK(magnitude::radius_of((*found)[i][0]) < magnitude(x) / 4U);
+    }
+    const explicit_system other(parse("s' = -s; v' = -2*v + s^2; s(0) = 1; v(0) = 1"));
+    const first_order_form resonant(other);
+    manifold_end both(resonant, lifted_about_points(other),
+                      far_state_of(resonant, {{0, expression(0)}, {1, expression(0)}}, 1), {}, 1);
+    REQUIRE(both.choose({}, static_cast<std::size_t>(-1)));
+    CHECK_FALSE(both.along({}, {ball(1) / 4, ball(1) / 4}, times, 12));
+}
+
 }  // namespace query_connection_manifold_end_test

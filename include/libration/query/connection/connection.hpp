@@ -1,6 +1,7 @@
 // Solutions with given limits at infinity, proved by theorems W, X and Y.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -25,16 +26,21 @@ struct connection_number {
     proved_decimal value;
 };
 
+class connection_orbit;
+
 /// The unknowns, in order, and what is proved of them.
 struct connection {
     std::vector<proved_decimal> values;
     std::string proved;  ///< a sentence
     std::string not_claimed;
-    /// Free limits; the rates of decay d_j, minus the real parts of the eigenvalues that are followed, the slowest first; and for a solution with
-    /// initial values and one slowest rate d, a real one, the amplitudes A of the unknowns with limits, y = y(inf) + A exp(-d |t|) + smaller
-    /// terms. With as many digits as are proved; none for a boundary layer.
+    std::string phase = {};  ///< of an orbit with two ends: what fixes t = 0
+    /// Free limits; the rates of decay d_j, minus the real parts of the eigenvalues that are followed, the slowest first; and for one slowest
+    /// rate d, a real one, the amplitudes A of the unknowns with limits, y = y(inf) + A exp(-d |t|) + smaller terms. With two ends also the
+    /// rates at -inf and the angle of intersection (connection_orbit.hpp). With as many digits as are proved; none for a boundary layer.
     std::vector<connection_number> more;
     double time = 0;  ///< from where on the solution is on the manifold
+    /// The solution on the whole line, if it tends to equilibria; not of boundary layers.
+    std::shared_ptr<const connection_orbit> orbit = {};
 };
 
 /// Connecting orbits [docs/theorems/infinity.md; vandenBerg2011]: with the flow Phi_T from the initial values, or

@@ -8,6 +8,7 @@
 #include "candidate.hpp"
 #include "carried_connection.hpp"
 #include "combined_guesses.hpp"
+#include "connection_orbit.hpp"
 #include "enclosed_decimal.hpp"
 #include "first_guesses.hpp"
 #include "layer_connection.hpp"
@@ -34,6 +35,7 @@ constexpr double first_part_beside = 1. / 64;
 constexpr double near_part_beside = 1. / 8;
 constexpr long digits_beside = 30;
 constexpr long least_digits_beside = 3;
+constexpr long digits_of_numbers = 10;
 
 // Initial values that have no effect, where both ends are at infinity.
 equation_system with_starts(equation_system system) {
@@ -238,27 +240,35 @@ private:
         if (!moves && !map_.may_rest) {
             refuse_guess("is the constant solution");
         }
+        const precision_scope scope(question_.digits + digits_beside);
+        std::vector<ball> x;
+        for (const known_value& each : roots) {
+            x.push_back(each.decimal ? enclosed(*each.decimal) : widened(ball(0), magnitude(ball_of_text(each.bound))));
+        }
+        // The decay to a solution at rest is searched in equations of its own: their states are not those of the question.
+        const auto orbit =
+            map_.may_rest ? nullptr
+                          : std::make_shared<connection_orbit>(map_, question_.unknowns, question_.limits, x);
+        result.time = orbit ? as_double(orbit->joining_time()) : map_.direction() * map_.time;
         const std::string names = joined(question_.unknowns);
         result.proved = "exactly one " + (question_.unknowns.size() == 1 ? names : "set " + names) + " near " +
                         (question_.unknowns.size() == 1 ? "this value" : "these values") + " for which the solution" +
                         (map_.has_two_ends() ? " from the unstable manifold at -inf" : "") + " is on the " +
                         std::to_string(map_.right().variables()) + "-dimensional " + (map_.is_fast() ? "strong " : "") +
-                        "stable manifold at t = " + time_text() + ", from where it tends to the limits exponentially";
+                        "stable manifold at t = " + text_of(result.time) +
+                        ", from where it tends to the limits exponentially";
         result.not_claimed = "that there are no other values of " + names +
-                             ", or that solutions that tend to the limits in "
-                             "another way are excluded";
-        result.time = map_.direction() * map_.time;
-        add_numbers(result, roots);
+                              ", or that solutions that tend to the limits in another way are excluded";
+        add_numbers(result, roots, x);
+        if (orbit) {
+            add_orbit(result, *orbit);
+        }
+        result.orbit = orbit;
         return result;
     }
 
-    void add_numbers(connection& result, const std::vector<known_value>& roots) const {
-        const precision_scope scope(question_.digits + digits_beside);
+    void add_numbers(connection& result, const std::vector<known_value>& roots, const std::vector<ball>& x) const {
         const auto names = map_.names(question_.unknowns);
-        std::vector<ball> x;
-        for (const known_value& each : roots) {
-            x.push_back(each.decimal ? enclosed(*each.decimal) : widened(ball(0), magnitude(ball_of_text(each.bound))));
-        }
         for (std::size_t i = map_.numbers(); i < map_.numbers() + map_.coordinates(); ++i) {
             if (roots[i].decimal) {
                 result.more.push_back({names[i], *roots[i].decimal});
@@ -274,25 +284,19 @@ private:
         for (std::size_t k = 0; k < order.size(); ++k) {
             add_number(result, "rate " + std::to_string(k + 1), -decay->rates[order[k]].re);
         }
-        const std::size_t slowest = order.front();
-        const bool is_slowest = std::ranges::all_of(order, [&](std::size_t j) {
-            return j == slowest || certainly_less(decay->rates[j].re, decay->rates[slowest].re);
-        });
-        if (map_.has_two_ends() || !decay->alone[slowest] || !is_slowest) {
-            return;
+    }
+
+    void add_orbit(connection& result, const connection_orbit& orbit) const {
+        for (const auto& [name, value] : orbit.rates_at_start()) {
+            add_number(result, name, value);
         }
-        const ball theta = x[map_.size() - map_.right().variables() + slowest];
-        const ball since = constant_value<ball>::of(map_.open().system.point()) * map_.direction() + exactly(map_.time);
-        for (const limit_condition& each : question_.limits) {
-            const auto place = std::ranges::find(map_.form().names, primed(each.of.name(), each.of.derivative()));
-            const auto moving =
-                std::ranges::find(map_.right().moving(), static_cast<std::size_t>(place - map_.form().names.begin()));
-            if (moving != map_.right().moving().end()) {
-                const auto row = static_cast<std::size_t>(moving - map_.right().moving().begin());
-                add_number(result, "amplitude of " + *place,
-                           theta * decay->columns[row][slowest].re * exp(-decay->rates[slowest].re * since));
-            }
+        for (const auto& [name, value] : orbit.amplitudes()) {
+            add_number(result, name, value);
         }
+        if (const auto angle = orbit.angle(bits_of_first_run(question_.digits))) {
+            add_number(result, "angle of intersection", *angle);
+        }
+        result.phase = orbit.phase();
     }
 
     void add_number(connection& result, const std::string& name, const ball& value) const {
@@ -302,9 +306,9 @@ private:
         }
     }
 
-    std::string time_text() const {
+    static std::string text_of(double time) {
         const precision_scope scope(decimal_digits(bits_of_first_iterate));
-        return to_decimal(mpfr(map_.direction() * map_.time), 6);
+        return to_decimal(mpfr(time), 6);
     }
 
     static std::string joined(const std::vector<std::string>& names) {
@@ -319,12 +323,25 @@ private:
     connection_map map_;
 };
 
-}  // namespace
-
-connection searched_connection(const connection_question& question, const proof_route& route,
-                               const march_watch& watch) {
-    return connection_search(question, {}, false, route, watch).result();
+// With the unknowns of a finer proof, since other numbers that follow from them lose digits.
+connection proved_orbit(const connection_question& question, const proof_route& route, const march_watch& watch) {
+    connection_question finer = question;
+    finer.digits += digits_of_numbers;
+    connection result = connection_search(finer, {}, false, route, watch).result();
+    const precision_scope scope(finer.digits + digits_beside);
+    const auto shorten = [&](proved_decimal& each) {
+        const ball value = enclosed(each);
+        if (const auto shorter =
+                to_proved_decimal(value, std::min(question.digits, proved_digits(value, finer.digits)))) {
+            each = *shorter;
+        }
+    };
+    std::ranges::for_each(result.values, shorten);
+    std::ranges::for_each(result.more, shorten, &connection_number::value);
+    return result;
 }
+
+}  // namespace
 
 connection searched_decay(const connection_question& question, const start_rule& begins, const proof_route& route,
                           const march_watch& watch) {
@@ -341,7 +358,7 @@ connection proved_connection(const connection_question& question, const proof_ro
     if (is_power_decay(question)) {
         return proved_power_decay(question, route, watch);
     }
-    return is_radial(question) ? proved_radial(question, route, watch) : searched_connection(question, route, watch);
+    return is_radial(question) ? proved_radial(question, route, watch) : proved_orbit(question, route, watch);
 }
 
 }  // namespace libration::ode

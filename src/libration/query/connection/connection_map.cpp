@@ -208,16 +208,20 @@ std::optional<connection_map::start> connection_map::start_at(const std::vector<
     return result;
 }
 
-std::optional<connection_map::start> connection_map::start_on_manifold(const std::vector<ball>& x, long bits) const {
+std::vector<ball> connection_map::theta_at_start(const std::vector<ball>& x) const {
     const ball size = exactly(side_ * left_->good_radius());
+    if (!has_angle()) {
+        return {size};
+    }
+    const ball& angle = x[numbers() + coordinates()];
+    return {size * cos(angle), size * sin(angle)};
+}
+
+std::optional<connection_map::start> connection_map::start_on_manifold(const std::vector<ball>& x, long bits) const {
     const std::size_t first = numbers() + left_coordinates();
     const std::size_t angle = numbers() + coordinates();
-    std::vector<ball> theta{size};
-    std::vector<ball> by_angle{ball(0)};
-    if (has_angle()) {
-        theta = {size * cos(x[angle]), size * sin(x[angle])};
-        by_angle = {-theta[1], theta[0]};
-    }
+    const auto theta = theta_at_start(x);
+    const auto by_angle = has_angle() ? std::vector<ball>{-theta[1], theta[0]} : std::vector<ball>{ball(0)};
     const auto at = left_->at(numbers_of_left(x), theta, degree_for(bits), degree == 0);
     if (!at) {
         return std::nullopt;

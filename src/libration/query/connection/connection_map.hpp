@@ -39,6 +39,7 @@ public:
     int direction() const { return direction_; }
     manifold_end& right() { return *right_; }
     const manifold_end& right() const { return *right_; }
+    const manifold_end& left() const { return *left_; }  ///< of two ends
     /// Free numbers and coordinates, and all unknowns.
     std::size_t numbers() const { return open_.leaves.size(); }
     std::size_t coordinates() const;
@@ -59,6 +60,21 @@ public:
     std::vector<double> right_numbers(const std::vector<double>& x) const;
 
     std::vector<ball> numbers_of_right(const std::vector<ball>& x) const;
+    std::vector<ball> numbers_of_left(const std::vector<ball>& x) const;
+    std::size_t left_coordinates() const { return left_ ? left_->rest().coordinates.size() : 0; }
+    std::size_t right_coordinates() const { return right_->rest().coordinates.size(); }
+    bool has_angle() const { return left_ && left_->variables() == 2; }
+    /// The coordinates of the start on the unstable manifold, of two ends.
+    std::vector<ball> theta_at_start(const std::vector<ball>& x) const;
+    /// The start, with its derivatives by all unknowns. std::nullopt where theorem W is not shown.
+    struct start {
+        std::vector<ball> values;
+        ball_matrix by_unknowns;
+    };
+    std::optional<start> start_at(const std::vector<ball>& x, long bits, long error_bits) const;
+    /// The degree of the series for so many bits.
+    int degree_for(long bits) const;
+    const proof_route& route() const { return route_; }
     /// The state at the start for first guesses, in double.
     std::vector<double> start_near(const std::vector<double>& x) const;
 
@@ -71,17 +87,7 @@ public:
     std::optional<enclosed_map> operator()(const std::vector<ball>& x, long bits, long error_bits) const;
 
 private:
-    struct start {
-        std::vector<ball> values;
-        ball_matrix by_unknowns;
-    };
-    std::optional<start> start_at(const std::vector<ball>& x, long bits, long error_bits) const;
     std::optional<start> start_on_manifold(const std::vector<ball>& x, long bits) const;
-    std::vector<ball> numbers_of_left(const std::vector<ball>& x) const;
-    std::size_t left_coordinates() const { return left_ ? left_->rest().coordinates.size() : 0; }
-    std::size_t right_coordinates() const { return right_->rest().coordinates.size(); }
-    bool has_angle() const { return left_ && left_->variables() == 2; }
-    int degree_for(long bits) const;
 
     parametric_system open_;
     first_order_form form_;

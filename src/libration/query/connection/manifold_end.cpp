@@ -247,18 +247,24 @@ double manifold_end::good_radius() const {
     }
 }
 
+std::vector<ball> manifold_end::rest_at(const std::vector<ball>& numbers) const {
+    const auto values = centre(complex_of(numbers), false);
+    std::vector<ball> result;
+    for (const std::size_t k : given_moving_) {
+        result.push_back(values[k].value.re);
+    }
+    return result;
+}
+
 std::optional<manifold_end::enclosed> manifold_end::at(const std::vector<ball>& numbers, const std::vector<ball>& theta,
                                                        int degree, bool proved) const {
     const std::size_t k = plan_.size();
     degree = proved ? std::max(degree, least_degree()) : degree;
     const auto box = complex_of(numbers);
-    std::vector<complex_ball> complex_theta;
+    const auto complex_theta = coordinates(theta);
     magnitude radius;
-    for (std::size_t j = 0; j < k; ++j) {
-        const bool pair = plan_.begins_pair(j);
-        complex_theta.push_back(plan_.ends_pair(j) ? conjugate(complex_theta.back())
-                                                   : complex_ball(theta[j], pair ? theta[j + 1] : ball(0)));
-        radius = std::max(radius, size_of_complex(complex_theta.back()));
+    for (const complex_ball& each : complex_theta) {
+        radius = std::max(radius, size_of_complex(each));
     }
     const auto points = series(box, depends_, degree);
     if (!points) {

@@ -26,6 +26,8 @@ public:
     std::size_t variables() const { return plan_.size(); }
     const frame_plan& plan() const { return plan_; }
     std::vector<double> rest_values(const std::vector<double>& numbers) const;
+    /// The equilibrium for all numbers of a box, of moving().
+    std::vector<ball> rest_at(const std::vector<ball>& numbers) const;
     /// theta of a point near the equilibrium in the linear approximation.
     std::vector<double> theta_near(const std::vector<double>& numbers, const std::vector<double>& given) const;
 
@@ -53,8 +55,14 @@ public:
     /// the first. The terms up to `degree`; without `proved` the tail is left out. std::nullopt if theorem W is not shown.
     std::optional<enclosed> at(const std::vector<ball>& numbers, const std::vector<ball>& theta, int degree,
                                bool proved) const;
+    /// By theorem W2, the solution through P(theta) at each of these times >= 0 after it, towards the equilibrium: P(theta(t)), theta_j(t)
+    /// = theta_j exp(d_j t), of moving(). std::nullopt if theorem W is not shown, or if theta moves in another way.
+    std::optional<std::vector<std::vector<ball>>> along(const std::vector<ball>& numbers,
+                                                        const std::vector<ball>& theta, const std::vector<ball>& times,
+                                                        int degree) const;
 
 private:
+    std::vector<complex_ball> coordinates(const std::vector<ball>& theta) const;
     std::vector<complex_jet> centre(const std::vector<complex_ball>& numbers, bool slopes) const;
     field_at_rest field(const std::vector<complex_ball>& numbers, bool slopes) const;
     std::optional<invariant_manifold> series(const std::vector<complex_ball>& numbers, bool slopes, int degree) const;

@@ -6,11 +6,8 @@
 
 namespace libration::ode {
 
-/// Of an autonomous system, as proved_connection() documents, for limits that are those of an equilibrium.
-connection searched_connection(const connection_question& question, const proof_route& route, const march_watch& watch);
-
-/// The same where the equilibrium itself is a solution that is meant; with a rule, the initial values of the first unknowns are its instead of the
-/// typed ones.
+/// As proved_connection() documents, of an autonomous system for limits that are those of an equilibrium, which itself is a solution
+/// that is meant; with a rule, the initial values of the first unknowns are its instead of the typed ones. Without the orbit.
 connection searched_decay(const connection_question& question, const start_rule& begins, const proof_route& route,
                           const march_watch& watch);
 
