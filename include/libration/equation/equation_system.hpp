@@ -170,8 +170,8 @@ struct equation_system {
     /// Adds a parameter that is every number from lower to upper, or changes its value.
     equation_system& set_between(const std::string& name, const expression& lower, const expression& upper);
 
-    /// The unknowns in the order of their first occurrence in the equations, those of the left-hand side of each
-    /// first.
+    /// The unknowns in the order of their equations if each left-hand side is an unknown or a derivative of one; else in
+    /// the order of their first occurrence, those of the left-hand side of each equation first.
     std::vector<std::string> unknowns() const;
     /// The parameter, or null.
     const definition* parameter_of(const std::string& name) const;

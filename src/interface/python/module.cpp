@@ -327,13 +327,13 @@ PYBIND11_MODULE(_libration, m) {
             return libration_find_at_infinity(text.c_str(), unknowns.c_str(), digits, watch_signals, nullptr, to);
         });
     });
-    m.def("states_at_infinity", [](const std::string& text, const std::string& unknowns, const std::string& times,
-                                   long digits) {
-        return known_table([&](auto** to) {
-            return libration_states_at_infinity(text.c_str(), unknowns.c_str(), times.c_str(), digits, watch_signals,
-                                                nullptr, to);
-        });
-    });
+    m.def("states_at_infinity",
+          [](const std::string& text, const std::string& unknowns, const std::string& times, long digits) {
+              return known_table([&](auto** to) {
+                  return libration_states_at_infinity(text.c_str(), unknowns.c_str(), times.c_str(), digits,
+                                                      watch_signals, nullptr, to);
+              });
+          });
     m.def("eigenvalues", [](const std::string& text, const std::string& energy, long count, long digits) {
         return table([&](auto** to) {
             return libration_eigenvalues(text.c_str(), energy.c_str(), count, digits, watch_signals, nullptr, to);

@@ -247,8 +247,7 @@ private:
         }
         // The decay to a solution at rest is searched in equations of its own: their states are not those of the question.
         const auto orbit =
-            map_.may_rest ? nullptr
-                          : std::make_shared<connection_orbit>(map_, question_.unknowns, question_.limits, x);
+            map_.may_rest ? nullptr : std::make_shared<connection_orbit>(map_, question_.unknowns, question_.limits, x);
         result.time = orbit ? as_double(orbit->joining_time()) : map_.direction() * map_.time;
         const std::string names = joined(question_.unknowns);
         result.proved = "exactly one " + (question_.unknowns.size() == 1 ? names : "set " + names) + " near " +
@@ -258,7 +257,7 @@ private:
                         "stable manifold at t = " + text_of(result.time) +
                         ", from where it tends to the limits exponentially";
         result.not_claimed = "that there are no other values of " + names +
-                              ", or that solutions that tend to the limits in another way are excluded";
+                             ", or that solutions that tend to the limits in another way are excluded";
         add_numbers(result, roots, x);
         if (orbit) {
             add_orbit(result, *orbit);
