@@ -92,6 +92,7 @@ struct further_question {
 /// From so many unknowns on, with their lower derivatives, a run that ended is followed by one with as many bits as its loss
 /// justifies, instead of some more: runs take long.
 inline constexpr std::size_t many_unknowns = 6;
+inline constexpr double least_part_of_steady_loss = 1. / 16;
 
 /// Runs from the initial point through all times, each with more bits than the one before, until every digit is proved
 /// or no run proves more.
@@ -172,8 +173,13 @@ private:
                         return part_of_way(system_.point(), march->reached(), times_[index]);
                     };
                     const double part = std::min(part_up_to(order_.back().index), part_up_to(each.index));
-                    march->ends_by_comparison() || has_many_unknowns_ ? demand.ended_by_steady_loss(part, time)
-                                                                      : demand.ended_part_way(part, time);
+                    if (!march->ends_by_comparison() && !has_many_unknowns_) {
+                        demand.ended_part_way(part, time);
+                    } else if (part < least_part_of_steady_loss) {
+                        demand.ended_part_way(1, time);  // a beginning shows no steady loss: about twice the bits
+                    } else {
+                        demand.ended_by_steady_loss(part, time);
+                    }
                 }
                 continue;
             }

@@ -308,11 +308,13 @@ answer pendulum_solution::proved_radius(const series_request& of, const request&
     const ode::proved_radius bounds = radius_bounds(motion_, point_of(of.about), digits);
     const auto [lower, upper] = ode::outward_decimals(bounds, digits);
     const std::string lattice = "the singularities are a lattice in closed form";
-    return {.names = {"lower", "upper"},
-            .rows = {{{lower, ""}, {upper, ""}}},
-            .rigour = "proved",
-            .notes = bounds.infinite ? std::vector<answer_note>{{"radius", "the motion is constant"}}
-                                     : std::vector<answer_note>{{"lower", lattice}, {"upper", lattice}}};
+    answer result{.names = {"lower", "upper"}, .rows = {{{lower, ""}, {upper, ""}}}, .rigour = "proved", .notes = {}};
+    if (bounds.infinite) {
+        result.notes = {{"radius", "the motion is constant"}};
+    } else {
+        result.notes = {{"lower", lattice}, {"upper", lattice}};
+    }
+    return result;
 }
 
 }  // namespace

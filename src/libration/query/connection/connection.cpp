@@ -245,7 +245,7 @@ private:
         for (const known_value& each : roots) {
             x.push_back(each.decimal ? enclosed(*each.decimal) : widened(ball(0), magnitude(ball_of_text(each.bound))));
         }
-        // The decay to a solution at rest is searched in equations of its own: their states are not those of the question.
+        // The decay to a solution at rest is searched in other equations: their states are not those of the question.
         const auto orbit =
             map_.may_rest ? nullptr : std::make_shared<connection_orbit>(map_, question_.unknowns, question_.limits, x);
         result.time = orbit ? as_double(orbit->joining_time()) : map_.direction() * map_.time;
