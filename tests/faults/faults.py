@@ -426,6 +426,9 @@ FAULTS = [
         "src/libration/expansion/tail_bound.cpp", [TAILS],
         ("rho/(N+3) for rho/(N+2)", "radius / (order + 2)", "radius / (order + 3)"),
         ("rho/(N+2) for rho/(N+1) of the defect", "radius / (order + 1)", "radius / (order + 2)"),
+    ),
+    *in_file(
+        "src/libration/expansion/kept_bounds.hpp", [TAILS],
         ("attempts counted while a defect moves along a chain", "> nonzero(s) ? 0 : 1", "> nonzero(s) ? 1 : 1"),
         ("a bound that is not checked", "if (std::ranges::equal(next, s, [](const magnitude& a, const magnitude& b) { return a <= b; })) {",
          "if (attempt == 3) {"),
