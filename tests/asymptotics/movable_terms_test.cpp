@@ -94,6 +94,20 @@ TEST_CASE("the law of the Lorenz system", "[asymptotics][proved]") {
                              6);
 }
 
+// y = sqrt(1 - t) (1 - (s - 1) log(1 - t)), u = (1 - t)^(1/4): the logarithm has the factor s - 1 by a leading term of two vanishing unknowns,
+// without a positive power of x, so that s = 1 does not show it.
+TEST_CASE("logarithms whose factor depends on a free number of the leading terms", "[asymptotics][proved]") {
+    check_against_recurrence(
+        "x' = x^2; u' = -x*u/4; y' = -x*y/2 + (s-1)*x*u^2; s' = 0; x(0) = 1; u(0) = 1; y(0) = 1; s(0) = 2", 2, 200, 8);
+    check_against_recurrence(
+        "x' = x^2; u' = -x*u; y' = -2*x*y + (s-1)*x*u^2; s' = 0; x(0) = 1; u(0) = 1; y(0) = 1; s(0) = 2", 2, 200, 8);
+}
+
+// x = (1 - t)^(-1/5) and smaller terms, a series in (1 - t/t*)^(1/30).
+TEST_CASE("series in small powers have all of them", "[asymptotics][proved]") {
+    check_against_recurrence("x' = x^6/5 + y + 1; y' = x^5*y/6; x(0) = 1; y(0) = 1", 0, 300, 8);
+}
+
 // A slit that ends beyond the reach, and an index below the least one.
 TEST_CASE("terms of a movable point keep to their domain", "[asymptotics]") {
     const precision_scope scope(30);

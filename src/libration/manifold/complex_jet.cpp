@@ -106,7 +106,7 @@ std::vector<complex_jet> product(const jet_matrix& a, const std::vector<complex_
 }
 
 jet_matrix product(const jet_matrix& a, const jet_matrix& b) {
-    jet_matrix result(a.size(), std::vector<complex_jet>(b.front().size()));
+    jet_matrix result(a.size(), std::vector<complex_jet>(b.empty() ? 0 : b.front().size()));
     for (std::size_t i = 0; i < a.size(); ++i) {
         for (std::size_t k = 0; k < b.size(); ++k) {
             for (std::size_t j = 0; j < b[k].size(); ++j) {

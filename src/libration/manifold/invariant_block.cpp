@@ -93,6 +93,9 @@ public:
         return result;
     }
     std::optional<std::vector<complex_jet>> enclosed(std::vector<complex_jet> z) const {
+        if (rows_.empty()) {
+            return z;  // the block is the whole space
+        }
         if (!improve(z)) {
             return std::nullopt;
         }

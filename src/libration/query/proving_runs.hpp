@@ -92,7 +92,9 @@ struct further_question {
 /// From so many unknowns on, with their lower derivatives, a run that ended is followed by one with as many bits as its loss
 /// justifies, instead of some more: runs take long.
 inline constexpr std::size_t many_unknowns = 6;
-inline constexpr double least_part_of_steady_loss = 1. / 16;
+/// Where a run by theorem G ends in a smaller part of the way, the next one of so many unknowns is by theorem V.
+inline constexpr double least_part_by_comparison = 1. / 16;
+inline constexpr std::size_t most_unknowns_instead_of_comparison = 40;
 
 /// Runs from the initial point through all times, each with more bits than the one before, until every digit is proved
 /// or no run proves more.
@@ -173,12 +175,16 @@ private:
                         return part_of_way(system_.point(), march->reached(), times_[index]);
                     };
                     const double part = std::min(part_up_to(order_.back().index), part_up_to(each.index));
-                    if (!march->ends_by_comparison() && !has_many_unknowns_) {
-                        demand.ended_part_way(part, time);
-                    } else if (part < least_part_of_steady_loss) {
-                        demand.ended_part_way(1, time);  // a beginning shows no steady loss: about twice the bits
-                    } else {
+                    if (march->ends_by_comparison() && part < least_part_by_comparison &&
+                        names_of_state(system_).size() <= most_unknowns_instead_of_comparison &&
+                        route_.integrator == integrator_choice::automatic) {
+                        // Theorem G does not resolve unknowns that grow from 0 one after the other.
+                        route_.integrator = integrator_choice::taylor;
+                        demand.ended_part_way(1, time);
+                    } else if (march->ends_by_comparison() || has_many_unknowns_) {
                         demand.ended_by_steady_loss(part, time);
+                    } else {
+                        demand.ended_part_way(part, time);
                     }
                 }
                 continue;

@@ -249,7 +249,7 @@ struct quadratic_system {
 asked_law any_quadratic_system(choices& next) {
     quadratic_system made;
     const auto c = [&] { return few(next, false); };
-    switch (next.below(5)) {
+    switch (next.below(6)) {
         case 0:
             made = {{{1, c(), 0, 1}, {1, c(), 1, 2}, {2, c(), 0, 2}, {2, c(), 1, 2}}, {c(), c()}};
             if (next.one_in(3)) {
@@ -275,6 +275,13 @@ asked_law any_quadratic_system(choices& next) {
                      {3, c(), 0, 3}},
                     {c(), c(), c()}};
             break;
+        case 4: {  // y = tau^(2 q) (a - k log tau), tau = 1 - t: x = 1/tau, u = tau^q, v = k x u
+            const rational q = next.one_in(2) ? rational(1, 4) : rational(static_cast<int>(next.below(5)) + 1, 2);
+            made = {
+                {{1, -2 * q, 2, 1}, {1, rational(1), 3, 4}, {2, rational(1), 2, 2}, {3, -q, 2, 3}, {4, 1 - q, 2, 4}},
+                {c(), rational(1), rational(1), few(next)}};
+            break;
+        }
         default:  // x'' = a x' + b x + c x^3 with the square as a third unknown
             const rational start = c();
             made = {{{1, rational(1), 0, 2},

@@ -8,10 +8,11 @@ namespace libration::ode {
 
 namespace {
 
-constexpr unsigned long monomial_base = 128;
 constexpr double tolerance_of_weight = 1e-6;
 constexpr int most_tail_rounds = 120;
 constexpr std::size_t most_variables = 8;
+constexpr std::size_t bits_of_key = 64;
+constexpr std::size_t most_bits_of_exponent = 16;
 
 magnitude modulus_above(const complex_ball& z) { return hypotenuse(magnitude(z.re), magnitude(z.im)); }
 
@@ -22,6 +23,12 @@ weighted_monomials::weighted_monomials(std::vector<quadratic_number> weights, do
     if (weights_.size() > most_variables) {
         throw error(error_kind::undecided, error_subject::problem, "",
                     "has a singularity with more than " + std::to_string(most_variables) + " resonances");
+    }
+    // Exponents below 2^bits_of_exponent have keys: the weight of the first one that has none is beyond.
+    bits_of_exponent_ =
+        std::min<std::size_t>(most_bits_of_exponent, bits_of_key / std::max<std::size_t>(1, weights_.size()));
+    for (const quadratic_number& each : weights_) {
+        highest_ = std::min(highest_, static_cast<double>((1UL << bits_of_exponent_) - 1) * each.real_part());
     }
     for (;; highest_ *= 0.9) {
         make(highest_, most);
@@ -93,7 +100,7 @@ void weighted_monomials::extend(std::vector<int>& exponents, std::size_t j, doub
         return;
     }
     const double weight = weights_[j].real_part();
-    for (int m = 0; m * weight <= left && m < static_cast<int>(monomial_base); ++m) {
+    for (int m = 0; m * weight <= left && m < (1 << bits_of_exponent_); ++m) {
         exponents[j] = m;
         extend(exponents, j + 1, left - m * weight, most);
     }
@@ -103,7 +110,7 @@ void weighted_monomials::extend(std::vector<int>& exponents, std::size_t j, doub
 unsigned long weighted_monomials::key_of(const std::vector<int>& exponents) const {
     unsigned long key = 0;
     for (const int each : exponents) {
-        key = key * monomial_base + static_cast<unsigned long>(each);
+        key = (key << bits_of_exponent_) + static_cast<unsigned long>(each);
     }
     return key;
 }

@@ -60,6 +60,7 @@ private:
 
     std::vector<quadratic_number> weights_;
     double highest_;
+    std::size_t bits_of_exponent_ = 0;
     std::vector<std::vector<int>> all_;
     std::vector<quadratic_number> sums_;
     std::vector<double> sizes_;

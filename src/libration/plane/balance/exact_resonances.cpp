@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "local_field.hpp"
 
@@ -122,10 +123,11 @@ std::optional<balance_field<quadratic_number>> local_field::exact_field(const ex
     return result;
 }
 
-// The resonant terms are Laurent polynomials in t*, the finite limits and the free S; each factor of a term beyond the leading ones has a weight of at
-// least the step. They are 0 if they are so at one more points of a grid than the number of powers.
-std::optional<std::vector<local_field::exact_sample>> local_field::exact_grid(double largest) const {
-    const int factors = balance_.step == 0 ? 0 : static_cast<int>(largest / static_cast<double>(balance_.step) + 1e-9);
+// The resonant terms are Laurent polynomials in t*, the finite limits and the free S. They are 0 if they are so at one more points of a grid than the
+// number of powers. Their weight is the sum of those of variables and of terms beyond the leading ones, each at least the least weight of a
+// variable: at most w of them. A leading term without a share has two factors or more, so that there are fewer than w of these.
+std::optional<std::vector<local_field::exact_sample>> local_field::exact_grid(double largest, double least) const {
+    const int factors = 2 * static_cast<int>(largest / least + 1e-9);
     int of_time = 0;
     std::vector<int> of_finite(balance_.finite.size()), of_free(balance_.free.size());
     for (const balance_term& each : balance_.terms) {
@@ -170,12 +172,14 @@ std::optional<std::vector<local_field::exact_sample>> local_field::exact_grid(do
 void local_field::find_exact_resonances(const weighted_monomials& monomials) {
     std::vector<quadratic_number> weights;
     double largest = 0;
+    double least = std::numeric_limits<double>::infinity();
     for (std::size_t v = 0; v < monomials.variables(); ++v) {
         weights.push_back(monomials.weight_of(v));
         largest = std::max(largest, weights.back().real_part());
+        least = std::min(least, weights.back().real_part());
     }
     const weighted_monomials up_to_last(weights, largest, most_exact_monomials);
-    const auto grid = exact_grid(largest);
+    const auto grid = exact_grid(largest, least);
     if (!grid || up_to_last.least_beyond() < largest * (1 - 1e-6)) {
         return;
     }

@@ -45,7 +45,7 @@ private:
     };
     std::optional<balance_field<quadratic_number>> exact_field(const exact_sample& sample);
     std::optional<quadratic_number> exact_factor(const balance_term& of, const exact_sample& sample) const;
-    std::optional<std::vector<exact_sample>> exact_grid(double largest) const;
+    std::optional<std::vector<exact_sample>> exact_grid(double largest, double least) const;
     void find_exact_resonances(const weighted_monomials& monomials);
 
     const dominant_balance& balance_;

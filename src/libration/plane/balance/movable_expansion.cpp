@@ -164,7 +164,7 @@ magnitude movable_point::bound_over(const ball& x) const {
         const ball& at = certainly_less(each.exponent.re, ball(0)) ? low : high;
         sum += magnitude(ball(part * pow(at, each.exponent.re) * exp(ball(pi<ball>() * abs(each.exponent.im)))));
     }
-    sum += rest * magnitude(pow(low, from_rational<ball>(-order)));
+    sum += rest * magnitude(pow(order < 0 ? high : low, from_rational<ball>(-order)));
     return sum;
 }
 

@@ -33,17 +33,22 @@ connection_orbit::connection_orbit(connection_map map, std::vector<std::string> 
     }
     const auto numbers = map_.numbers_of_left(x_);
     const auto by = slowest_of(map_.left(), numbers);
-    const auto first = std::ranges::find_if(limits_, [](const auto& each) { return each.direction < 0; });
-    if (!by || first == limits_.end()) {
+    if (!by) {
         return;
     }
-    const std::string name = primed(first->of.name(), first->of.derivative());
-    const ball amplitude = amplitude_at(map_.left(), *by, name, map_.theta_at_start(x_)[by->direction]);
-    if (!contains_zero(amplitude)) {
-        phase_ = -log(abs(amplitude)) / by->rate;
-        of_phase_ = name;
-        sign_of_phase_ = arb_is_positive(amplitude.handle()) != 0 ? 1 : -1;
-        rate_of_phase_ = by->rate;
+    for (const limit_condition& each : limits_) {
+        if (each.direction > 0) {
+            continue;
+        }
+        const std::string name = primed(each.of.name(), each.of.derivative());
+        const ball amplitude = amplitude_at(map_.left(), *by, name, map_.theta_at_start(x_)[by->direction]);
+        if (!contains_zero(amplitude)) {  // else it has no part of this rate, or is not decided
+            phase_ = -log(abs(amplitude)) / by->rate;
+            of_phase_ = name;
+            sign_of_phase_ = arb_is_positive(amplitude.handle()) != 0 ? 1 : -1;
+            rate_of_phase_ = by->rate;
+            return;
+        }
     }
 }
 
@@ -200,7 +205,9 @@ std::string connection_orbit::phase() const {
         return "";
     }
     if (of_phase_.empty()) {
-        return "t = 0 is where the series of the unstable manifold is left, since no slowest rate at -inf is real";
+        return "t = 0 is where the series of the unstable manifold is left, since no unknown with a limit at -inf has "
+               "a "
+               "proved part of one slowest real rate there";
     }
     const auto rate =
         to_proved_decimal(rate_of_phase_, std::min(digits_of_phase, proved_digits(rate_of_phase_, digits_of_phase)));

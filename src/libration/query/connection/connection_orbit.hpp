@@ -14,7 +14,7 @@ namespace libration::ode {
 
 /// The solution for an enclosed zero of a connection_map: by the flow from its start up to the time T of the map, and by theorem W2
 /// beyond it, and before the start of an orbit from an equilibrium. That orbit is given up to a shift of the time: t = 0 is where, for the first
-/// unknown y with a limit at -inf and a slowest rate r there, y = y(-inf) +- exp(r t) + smaller terms as t -> -inf; without such a rate, where the series of the
+/// unknown y with a limit at -inf and a part of the slowest rate r there, y = y(-inf) +- exp(r t) + smaller terms as t -> -inf; without such a part, where the series of the
 /// unstable manifold is left.
 class connection_orbit {
 public:

@@ -111,8 +111,8 @@ private:
     void make_first_part() {
         const rational root(equation_.root());
         const expression w = variable();
-        const expression value = unknown("y");
-        const expression slope = unknown("u");
+        const expression value = unknown("y at the start");
+        const expression slope = unknown("u at the start");
         const auto in_parameters = [&](const expression& e) {
             return replaced(e, [&](const expression& leaf) -> std::optional<expression> {
                 const auto same = std::ranges::find_if(equation_.open.leaves,

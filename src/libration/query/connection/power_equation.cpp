@@ -76,7 +76,8 @@ std::optional<std::vector<power_term>> power_terms_of(const expression& e, const
 }
 
 bool is_limit_of_decay(const limit_condition& each) {
-    return each.direction > 0 && each.of.derivative() <= 1 && is_identically_zero(each.value);
+    return each.direction > 0 && !each.exponentially && !each.fast && each.of.derivative() <= 1 &&
+           is_identically_zero(each.value);
 }
 
 // -m - m^2 + sum c (-m)^r of constant terms + limit (-m)^r = 0.
@@ -199,9 +200,13 @@ std::optional<power_equation> power_equation_in(const connection_question& quest
         return std::nullopt;
     }
     power_equation result{std::move(read->open), name, std::move(read->terms), 0, {}, {}};
-    for (std::size_t i = 0; i < result.terms.size(); ++i) {
-        if (is_leading(result, i)) {
-            return result.root() <= largest_root_of_time ? std::optional(result) : std::nullopt;
+    // A decay that the equation itself determines rather than one that a given function of the time causes.
+    for (const bool is_given : {false, true}) {
+        for (std::size_t i = 0; i < result.terms.size(); ++i) {
+            const power_term& each = result.terms[i];
+            if ((each.value == 0 && each.slope == 0) == is_given && is_leading(result, i)) {
+                return result.root() <= largest_root_of_time ? std::optional(result) : std::nullopt;
+            }
         }
     }
     return std::nullopt;
@@ -232,7 +237,7 @@ connection_question logarithmic_question(const power_equation& of, const std::ve
     };
     connection_question result{{}, names, {}, {}, 0};
     result.system.variable = "s";
-    const expression z = unknown("z");
+    const expression z = unknown("z of log t");  // no name of a problem has blanks
     const auto limited = [&](const expression& leaf, const expression& limit) {
         result.limits.push_back({leaf, in_parameters(limit), 1, false, false, leaf.name() + "(inf)"});
     };
@@ -246,7 +251,7 @@ connection_question logarithmic_question(const power_equation& of, const std::ve
             slope_of_z = slope_of_z + in_parameters(each.factor) * raised_to(z, each.slope);
             continue;
         }
-        leaves.push_back(unknown("v" + std::to_string(i)));
+        leaves.push_back(unknown("v" + std::to_string(i) + " of log t"));
         const expression& v = leaves.back();
         slope_of_z = slope_of_z + v * raised_to(z, each.slope);
         slopes.push_back((expression(each.weight_of_time()) + expression(each.weight_of_value()) * z) * v);

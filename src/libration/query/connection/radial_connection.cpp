@@ -9,6 +9,7 @@
 #include "first_guesses.hpp"
 #include "leaving_side.hpp"
 #include "libration/integration/proved_march.hpp"
+#include "libration/scalar/ball/decimal.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/decimal.hpp"
@@ -19,6 +20,8 @@ namespace libration::ode {
 
 namespace {
 
+constexpr long least_digits_of_search = 12;
+constexpr long more_digits_of_scope = 30;
 constexpr long bits_of_radial = 192;
 constexpr double log_of_ten = 2.302585;
 constexpr double size_of_start = 1. / 8;
@@ -340,7 +343,17 @@ connection proved_radial(const connection_question& question, const proof_route&
     if (!equation) {
         throw error(error_kind::argument, error_subject::conditions, "", "are not those of an equation with 1/t");
     }
-    return radial_search(question, *std::move(equation), route, watch).result();
+    // Few digits leave the far time too early for the graph.
+    connection_question finer = question;
+    finer.digits = std::max(question.digits, least_digits_of_search);
+    connection result = radial_search(finer, *std::move(equation), route, watch).result();
+    const precision_scope scope(finer.digits + more_digits_of_scope);
+    for (proved_decimal& each : result.values) {
+        if (const auto shorter = to_proved_decimal(enclosed(each), question.digits)) {
+            each = *shorter;
+        }
+    }
+    return result;
 }
 
 }  // namespace libration::ode

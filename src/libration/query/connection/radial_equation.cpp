@@ -25,7 +25,7 @@ expression natural_power(const expression& base, const rational& exponent) {
 }
 
 bool is_typed_limit(const limit_condition& each) {
-    return each.direction > 0 &&
+    return each.direction > 0 && !each.exponentially && !each.fast &&
            (each.of.derivative() == 0 || (each.of.derivative() == 1 && is_identically_zero(each.value)));
 }
 

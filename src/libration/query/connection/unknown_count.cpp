@@ -29,18 +29,20 @@ void require_square(const connection_map& map, std::size_t unknowns) {
         throw error(error_kind::argument, error_subject::conditions, "",
                     "has the limits of an equilibrium without a direction of exponential decay: choose other limits");
     }
+    const std::string what = map.may_rest ? "solutions that decay like this power of the time" : "these limits";
     const std::size_t others = map.coordinates() + stable + (map.has_two_ends() ? map.left_variables() - 1 : 0);
     const std::size_t n = map.dimension();
     if (others >= n) {
         throw error(error_kind::argument, error_subject::unknowns, "",
-                    "has too many names: solutions with these limits are found for every value of them, since " +
+                    "has too many names: " + std::string(map.may_rest ? "" : "solutions with ") + what +
+                        " are found for every value of them, since " +
                         count_of(stable, "exponentially decaying direction") + " of " + std::to_string(n) +
                         " lead there: leave out the unknowns, ask for another limit, or, along the fastest directions "
                         "alone, write fast after the limit");
     }
     if (unknowns + others != n) {
         throw error(error_kind::argument, error_subject::unknowns, std::to_string(unknowns),
-                    "is not the number that these limits determine, " + std::to_string(n - others) +
+                    "is not the number that " + what + " determine, " + std::to_string(n - others) +
                         ": the state has " + count_of(n, "component") + ", and " + count_of(stable, "direction") +
                         " of exponential decay: give as many --unknown");
     }

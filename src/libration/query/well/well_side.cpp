@@ -222,8 +222,9 @@ std::optional<ball> well_side::slope_from_infinity(const quotient_at& q, const b
         z = regular ? regular_slope(q, far) : barrier(q, far);
     }
     if (!z) {
-        throw error(error_kind::undecided, error_subject::problem, "",
-                    "has a potential without a barrier at infinity: 5 V'^2 >= 4 (V - E) V'' is not seen there");
+        throw error(
+            error_kind::undecided, error_subject::problem, "",
+            "has a potential of which no barrier at infinity is found: 5 V'^2 >= 4 (V - E) V'' is not shown there");
     }
     const second_order_equation of = equation(q);
     const magnitude width = magnitude::radius_of(*z);
