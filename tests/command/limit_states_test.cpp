@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "command/printed.hpp"
 #include "command/refusal.hpp"
@@ -102,6 +103,12 @@ TEST_CASE("what is not accepted with conditions at infinity and manifolds", "[co
     check_refused({"reference", "--problem", "y' = -y; y(0) = 1", "--times", "1", "--guess", "y(0)=2"},
                   {"--guess 'y(0)=2'", "the problem has none"});
     check_refused(words{"reference"} + soliton + words{"--times", "1", "--guess", "y(0)=1,2"}, {"--guess"});
+    // All directions decay, in one block.
+    check_refused({"find", "--problem", "x' = c - x; x(0) = 5; x(inf) = c; c = 1", "--unknown", "c"},
+                  {"--unknown", "has too many names"});
+    // 6/(t + sqrt 6)^2 is the only positive solution that decays.
+    check_refused({"find", "--problem", "y'' = y^2; y(0) = 1; y(inf) = 0 exponentially", "--unknown", "y'(0)"},
+                  {"without a direction of exponential decay"});
     check_refused({"reference", "--problem", "y' = -y; y(0) = 1; y(inf) = 0", "--times", "1"}, {"leaves nothing open"});
     check_refused({"trajectory", "--problem", "y' = -y; y(0) = 1"}, {"--times"});
     check_refused(pendulum, {"--equilibrium 'x=pi'", "--manifold both"});
@@ -114,6 +121,26 @@ TEST_CASE("what is not accepted with conditions at infinity and manifolds", "[co
                   {"--equilibrium 'x=0'", "decay or growth"});
     check_refused({"trajectory", "--problem", "x'' = -sin(x)", "--manifold", "both", "--equilibrium", "pi"},
                   {"--equilibrium 'pi'", "x=0,y=0"});
+}
+
+// x tends to 0 at twice the rate of 1 - u as t -> -inf: u fixes t = 0, where 1 - u has the amplitude 1, in either order.
+TEST_CASE("the phase of an orbit is that of the first unknown with the slowest rate", "[command][find]") {
+    const std::string carried = "x' = -x + (1-u)^2; ";
+    const std::string front = "u'' + c*u' + u*(1-u)*(u-1/4) = 0; ";
+    const std::string limits = "x(-inf)=0; x(inf)=1; u(-inf)=1; u(inf)=0";
+    std::vector<std::string> values;
+    for (const std::string& text : {carried + front + limits, front + carried + limits}) {
+        const auto rows =
+            rows_and({"reference", "--problem", text, "--unknown", "c", "--digits", "20", "--times", "0,5"});
+        REQUIRE(rows.size() == 2);
+        for (const auto& row : rows) {
+            values.push_back(row.at("u"));
+        }
+    }
+    // u = 1/(1 + exp(t/sqrt 2)), which is 1 - exp(t/sqrt 2) and smaller terms.
+    CHECK(values[0] == "0.50000000000000000000");
+    CHECK(values[0] == values[2]);
+    CHECK(values[1] == values[3]);
 }
 
 }  // namespace command_limit_states_test
