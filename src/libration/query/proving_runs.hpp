@@ -92,7 +92,7 @@ struct further_question {
 /// From so many unknowns on, with their lower derivatives, a run that ended is followed by one with as many bits as its loss
 /// justifies, instead of some more: runs take long.
 inline constexpr std::size_t many_unknowns = 6;
-/// Where a run by theorem G ends in a smaller part of the way, the next one of so many unknowns is by theorem V.
+/// Where a run by theorem G ends in a smaller part of the time, the next one of so many unknowns is by theorem V.
 inline constexpr double least_part_by_comparison = 1. / 16;
 inline constexpr std::size_t most_unknowns_instead_of_comparison = 40;
 
