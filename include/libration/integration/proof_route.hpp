@@ -22,6 +22,8 @@ struct proof_route {
     plane_watch watch = {};
     /// Whether linear systems with constant coefficients are solved by the exponential of their matrix.
     bool matrix_exponential = true;
+    /// Whether theorem G may be chosen for many unknowns.
+    bool comparison = true;
 
     /// The route of --check: five more terms, steps of seven eighths, series term by term, no matrix exponential.
     static proof_route second() { return {5, 7, nullptr, integrator_choice::automatic, {}, false}; }

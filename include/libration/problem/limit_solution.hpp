@@ -28,8 +28,8 @@ inline const std::vector<std::string>& numbers_at_infinity() {
     return all;
 }
 
-/// The notes of an answer that are such a number: "amplitude of y", "rate 1 at -inf", "H(inf)", "angle of intersection".
-bool is_number_at_infinity(const std::string& name, const std::vector<std::string>& shown);
+/// Whether a note is one of these numbers, of a kind that is shown.
+bool is_shown(const answer_note& number, const std::vector<std::string>& shown);
 
 /// The solution of such a problem. It is found anew, with as many digits as the values at the times need.
 class limit_solution {

@@ -168,7 +168,7 @@ int print_solutions(const find_options& options, const found_solutions& found, l
     }
     if (!found.solutions().empty()) {
         for (const answer_note& each : found.solutions().front().notes) {
-            if (!is_number_at_infinity(each.name, options.shown)) {
+            if (!is_shown(each, options.shown)) {
                 say_line(each.name + ": " + each.text);
             }
         }

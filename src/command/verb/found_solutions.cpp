@@ -103,7 +103,7 @@ namespace {
 std::vector<std::vector<answer_value>> rows_with_numbers(const answer& of, const std::vector<std::string>& shown) {
     auto rows = of.rows;
     for (const answer_note& each : of.notes) {
-        if (is_number_at_infinity(each.name, shown)) {
+        if (is_shown(each, shown)) {
             rows.push_back({text_value(each.name), {each.text, ""}});
         }
     }
@@ -125,9 +125,11 @@ table found_solutions::as_table(long digits, bool numbered, const std::vector<st
     }
     table data(columns);
     for (std::size_t i = 0; i < solutions_.size(); ++i) {
-        for (const auto& row : rows_with_numbers(solutions_[i], shown)) {
-            const bool is_beside = is_number_at_infinity(row[0].text, shown);
-            const long own = is_beside ? std::min(digits, significant_digits(row[1].text)) : digits;
+        const auto rows = rows_with_numbers(solutions_[i], shown);
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+            const auto& row = rows[k];
+            const long own =
+                k >= solutions_[i].rows.size() ? std::min(digits, significant_digits(row[1].text)) : digits;
             table_row_cells cells{row[0].text, cell::number(row[1].text, own), own, solutions_[i].rigour};
             if (numbered) {
                 cells.insert(cells.begin(), cell(static_cast<long>(i + 1)));

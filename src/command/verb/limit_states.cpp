@@ -83,7 +83,7 @@ int write_limit_states(const taken_limits& of, const limit_states_request& asked
             .write(table_of_states.rows, asked.as_lines ? std::optional(table_of_states.text) : std::nullopt);
     }
     for (const answer_note& each : notes) {
-        if (!is_number_at_infinity(each.name, of.shown)) {
+        if (!is_shown(each, of.shown)) {
             say_line(each.name + ": " + each.text);
         }
     }

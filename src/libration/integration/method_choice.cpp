@@ -40,7 +40,8 @@ method_choice::method_choice(const polynomial_form& of, const run_bits& bits, co
 
 void method_choice::allow_boxes(const explicit_system& system) {
     if (route_.integrator == integrator_choice::comparison ||
-        (route_.integrator == integrator_choice::automatic && form_.given >= least_unknowns_of_box)) {
+        (route_.integrator == integrator_choice::automatic && route_.comparison &&
+         form_.given >= least_unknowns_of_box)) {
         of_box_ = system;
         costs_ = box_choice(form_.given, products_of(form_));
     }

@@ -46,7 +46,7 @@ answer connection_found(const problem& of, const std::vector<std::string>& unkno
             about(error_subject::unknowns, [&] { return ode::proved_connection(question, route, watch_of(how)); });
         notes = {{"proved", found.proved}, {"not claimed", found.not_claimed}};
         for (const ode::connection_number& each : found.more) {
-            notes.push_back({each.name, each.value.text});
+            notes.push_back({each.name, each.value.text, each.kind});
         }
         return found_values{unknowns, found.values};
     });

@@ -124,10 +124,8 @@ void add_rows(answer& to, const std::vector<exact>& times, const std::optional<s
 
 }  // namespace
 
-bool is_number_at_infinity(const std::string& name, const std::vector<std::string>& shown) {
-    const auto asked = [&](const char* what) { return std::ranges::find(shown, what) != shown.end(); };
-    return (name.starts_with("amplitude of ") && asked("amplitude")) || (name.starts_with("rate ") && asked("rate")) ||
-           (name.ends_with("inf)") && asked("limit")) || (name.starts_with("angle ") && asked("angle"));
+bool is_shown(const answer_note& number, const std::vector<std::string>& shown) {
+    return std::ranges::find(shown, number.kind) != shown.end();
 }
 
 limit_solution::limit_solution(limit_problem of) : of_(std::move(of)) {
@@ -224,8 +222,8 @@ answer limit_solution::states_by(const std::vector<exact>& times, const std::vec
             const ball value = enclosure_of(each.value);
             const answer_value number =
                 value_in_answer(known_of(value, std::min(digits, proved_digits(value, digits))));
-            result.notes.push_back({each.name, number.text});
-            if (is_number_at_infinity(each.name, shown)) {
+            result.notes.push_back({each.name, number.text, each.kind});
+            if (is_shown(result.notes.back(), shown)) {
                 result.names.push_back(each.name);
                 for (auto& row : result.rows) {
                     row.push_back(number);

@@ -179,7 +179,7 @@ private:
                         names_of_state(system_).size() <= most_unknowns_instead_of_comparison &&
                         route_.integrator == integrator_choice::automatic) {
                         // Theorem G does not resolve unknowns that grow from 0 one after the other.
-                        route_.integrator = integrator_choice::taylor;
+                        route_.comparison = false;
                         demand.ended_part_way(1, time);
                     } else if (march->ends_by_comparison() || has_many_unknowns_) {
                         demand.ended_by_steady_loss(part, time);

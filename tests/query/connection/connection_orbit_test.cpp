@@ -5,26 +5,20 @@
 #include <string>
 #include <vector>
 
-#include "libration/equation/text/parse.hpp"
-#include "libration/query/connection/connection.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
+#include "query/connection/connected.hpp"
 
 namespace query_connection_orbit_test {
 
 using namespace libration;
 using namespace libration::ode;
+using namespace libration::tests;
 
 namespace {
 
 connection orbit_of(const std::string& text, const std::string& guess, long digits) {
-    const separated_text separated = with_limits_separated(text);
-    const std::string name = guess.substr(0, guess.find('='));
-    connection_question question{changed(parse(separated.problem), guess), {name}, {}, {}, digits};
-    for (const std::string& each : separated.limits) {
-        question.limits.push_back(parse_limit(question.system, each));
-    }
-    return proved_connection(question);
+    return connected(text, {guess}, digits);
 }
 
 const std::string front = "u'' + c*u' + u*(1-u)*(u-1/4) = 0; u(0) = 0; u'(0) = 0; u(-inf) = 1; u(inf) = 0";

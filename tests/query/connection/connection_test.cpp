@@ -10,39 +10,15 @@
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"
 #include "proved.hpp"
+#include "query/connection/connected.hpp"
 
 namespace query_connection_test {
 
 using namespace libration;
 using namespace libration::ode;
+using namespace libration::tests;
 
 namespace {
-
-// The conditions at infinity are in the text; "c" without, "c=0.3" with a first guess.
-connection connected(const std::string& text, const std::vector<std::string>& unknowns, long digits) {
-    const separated_text separated = with_limits_separated(text);
-    connection_question question;
-    question.system = parse(separated.problem);
-    question.digits = digits;
-    for (const std::string& each : unknowns) {
-        const std::string name = each.substr(0, each.find('='));
-        question.unknowns.push_back(name);
-        if (name == each) {
-            question.open.push_back(name);
-        }
-        question.system = changed(question.system, name == each ? name + " = 1" : each);
-    }
-    for (const std::string& each : separated.limits) {
-        question.limits.push_back(parse_limit(question.system, each));
-    }
-    return proved_connection(question);
-}
-
-bool within_a_unit(const proved_decimal& printed, const ball& number, long digits) {
-    mpfr value;
-    mpfr_set_str(handle(value), printed.text.c_str(), 10, MPFR_RNDN);
-    return certainly_less(abs(ball(value) - number), abs(number) * pow(ball(10), 1 - digits));
-}
 
 // Of connection::more.
 proved_decimal number_named(const connection& of, const std::string& name) {

@@ -3,42 +3,26 @@
 
 #include <catch2/catch.hpp>
 #include <string>
-#include <vector>
 
-#include "libration/equation/text/parse.hpp"
 #include "libration/scalar/ball/functions.hpp"
-#include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"
 #include "proved.hpp"
+#include "query/connection/connected.hpp"
 
 namespace query_connection_test {
 
 using namespace libration;
 using namespace libration::ode;
+using namespace libration::tests;
 
 namespace {
 
 connection decaying(const std::string& text, const std::string& unknown, long digits) {
-    const separated_text separated = with_limits_separated(text);
-    const std::string name = unknown.substr(0, unknown.find('='));
-    connection_question question;
-    question.system = changed(parse(separated.problem), name == unknown ? name + " = 1" : unknown);
-    question.digits = digits;
-    question.unknowns = {name};
-    if (name == unknown) {
-        question.open = {name};
-    }
-    for (const std::string& each : separated.limits) {
-        question.limits.push_back(parse_limit(question.system, each));
-    }
-    return proved_connection(question);
+    return connected(text, {unknown}, digits);
 }
 
-// The printed number within a unit of its last digit.
 bool has_slope(const connection& of, const ball& number, long digits) {
-    mpfr value;
-    mpfr_set_str(handle(value), of.values.at(0).text.c_str(), 10, MPFR_RNDN);
-    return certainly_less(abs(ball(value) - number), abs(number) * pow(ball(10), 1 - digits));
+    return within_a_unit(of.values.at(0), number, digits);
 }
 
 }  // namespace
@@ -54,6 +38,7 @@ TEST_CASE("autonomous equations whose solutions decay like a power", "[ode][prov
     CHECK(has_slope(decaying("y'' = 5*y^(5/2); y(0) = 4; y(inf) = 0", "y'(0)=-20", 25), -sqrt(ball(2560) / 7), 25));
     CHECK(has_slope(decaying("y'' = y^3; y(0) = -1/2; y(inf) = 0", "y'(0)=0.2", 25), sqrt(ball(1) / 32), 25));
     CHECK(has_slope(decaying("y'' = c*y^2; y(0) = 1; y'(0) = -1; y(inf) = 0", "c=1.4", 25), ball(3) / 2, 25));
+    CHECK(has_slope(decaying("y'' = z*y^2; y(0) = 1; y'(0) = -2; y(inf) = 0", "z=5", 25), ball(6), 25));
 }
 
 // A t^-m is itself a solution: its state in log t is the equilibrium.

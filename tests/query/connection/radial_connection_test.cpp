@@ -4,30 +4,19 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "libration/equation/text/parse.hpp"
 #include "libration/scalar/error.hpp"
+#include "query/connection/connected.hpp"
 
 namespace query_connection_test {
 
 using namespace libration;
 using namespace libration::ode;
+using namespace libration::tests;
 
 namespace {
 
 std::string radial_value(const std::string& text, const std::string& unknown, long digits) {
-    const separated_text separated = with_limits_separated(text);
-    const std::string name = unknown.substr(0, unknown.find('='));
-    connection_question question;
-    question.system = changed(parse(separated.problem), name == unknown ? name + " = 1" : unknown);
-    question.digits = digits;
-    question.unknowns = {name};
-    if (name == unknown) {
-        question.open = {name};
-    }
-    for (const std::string& each : separated.limits) {
-        question.limits.push_back(parse_limit(question.system, each));
-    }
-    return proved_connection(question).values.at(0).text;
+    return connected(text, {unknown}, digits).values.at(0).text;
 }
 
 }  // namespace
@@ -45,6 +34,7 @@ TEST_CASE("radial ground states", "[ode][proved]") {
     const std::string space = "u'' + 2*u'/t - u + u^3 = 0; u'(0) = 0; u(inf) = 0";
     CHECK(radial_value(space, "u(0)", 24) == "4.33738767997699435652211");
     CHECK(radial_value(space, "u(0)=14.1", 8) == "14.103584");
+    CHECK(radial_value(space, "u(0)=4", 2) == "4.3");
     CHECK(radial_value("u'' + u'/t - u + u^3 = 0; u'(0) = 0; u(inf) = 0", "u(0)=2.2", 24) ==
           "2.20620086465074607478363");
     CHECK(radial_value("u'' = -2*u'/t + 4*u - 2*u^2; u'(0) = 0; u(inf) = 0", "u(0)=8", 20) == "8.3833659088850382536");

@@ -24,6 +24,7 @@ struct connection_question {
 struct connection_number {
     std::string name;  ///< H(inf), rate 1, amplitude of y
     proved_decimal value;
+    std::string kind;  ///< limit, rate, amplitude or angle
 };
 
 class connection_orbit;

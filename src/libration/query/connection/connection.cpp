@@ -72,9 +72,7 @@ public:
         const auto x = found();
         if (!x) {
             refuse_guess(
-                "is not found: Newton's method does not lead to a solution "
-                "with these limits from the first "
-                "guess");
+                "is not found: Newton's method does not lead to a solution with these limits from the first guess");
         }
         map_.degree = 0;
         std::vector<ball> guess;
@@ -158,16 +156,9 @@ private:
             return {};
         }
         const double given = nearest_doubles(map_.open().values).front();
-        std::vector<double> around;
-        if (question_.open.empty()) {
-            around = {given};
-            for (double part = first_part_beside; part <= farthest; part *= 2) {
-                around.insert(around.end(), {given * (1 + part) + part / 8, given * (1 - part) - part / 8});
-            }
-        } else {
-            around = signed_first_guesses();
-        }
-        auto found = changes_of_side(map_, around, side);
+        auto found = changes_of_side(
+            map_, question_.open.empty() ? guesses_around(given, first_part_beside, farthest) : signed_first_guesses(),
+            side);
         std::ranges::stable_sort(found, {}, [&](double x) { return std::fabs(x - given); });
         return found;
     }
@@ -205,9 +196,7 @@ private:
         }
         const auto all = attempts();
         if (all.empty()) {
-            refuse_guess(
-                "is not found: at the first guess, the equilibrium has no "
-                "invariant manifold that is proved");
+            refuse_guess("is not found: at the first guess, the equilibrium has no invariant manifold that is proved");
         }
         if (question_.open.size() > 1) {
             if (auto x = found_nearer(all)) {
@@ -270,7 +259,7 @@ private:
         const auto names = map_.names(question_.unknowns);
         for (std::size_t i = map_.numbers(); i < map_.numbers() + map_.coordinates(); ++i) {
             if (roots[i].decimal) {
-                result.more.push_back({names[i], *roots[i].decimal});
+                result.more.push_back({names[i], *roots[i].decimal, "limit"});
             }
         }
         const auto decay = map_.right().decay_at(map_.numbers_of_right(x));
@@ -281,27 +270,27 @@ private:
         std::iota(order.begin(), order.end(), std::size_t{0});
         std::ranges::stable_sort(order, {}, [&](std::size_t j) { return -as_double(decay->rates[j].re); });
         for (std::size_t k = 0; k < order.size(); ++k) {
-            add_number(result, "rate " + std::to_string(k + 1), -decay->rates[order[k]].re);
+            add_number(result, "rate", "rate " + std::to_string(k + 1), -decay->rates[order[k]].re);
         }
     }
 
     void add_orbit(connection& result, const connection_orbit& orbit) const {
         for (const auto& [name, value] : orbit.rates_at_start()) {
-            add_number(result, name, value);
+            add_number(result, "rate", name, value);
         }
         for (const auto& [name, value] : orbit.amplitudes()) {
-            add_number(result, name, value);
+            add_number(result, "amplitude", name, value);
         }
         if (const auto angle = orbit.angle(bits_of_first_run(question_.digits))) {
-            add_number(result, "angle of intersection", *angle);
+            add_number(result, "angle", "angle of intersection", *angle);
         }
         result.phase = orbit.phase();
     }
 
-    void add_number(connection& result, const std::string& name, const ball& value) const {
+    void add_number(connection& result, const std::string& kind, const std::string& name, const ball& value) const {
         const long digits = proved_digits(value, question_.digits);
         if (digits >= least_digits_beside && !contains_zero(value)) {
-            result.more.push_back({name, *to_proved_decimal(value, digits)});
+            result.more.push_back({name, *to_proved_decimal(value, digits), kind});
         }
     }
 

@@ -59,8 +59,7 @@ std::optional<manifold_end> end_in(const parametric_system& open, const first_or
         const auto place = std::ranges::find(form.names, name);
         if (place == form.names.end()) {
             throw error(error_kind::argument, error_subject::condition, limits[i].text,
-                        "is not about an unknown or a lower derivative: choose one "
-                        "of those that are integrated");
+                        "is not about an unknown or a lower derivative: choose one of those that are integrated");
         }
         known.emplace_back(static_cast<std::size_t>(place - form.names.begin()), open.others[i]);
         texts += (texts.empty() ? "" : "; ") + limits[i].text;
@@ -79,10 +78,11 @@ std::optional<manifold_end> end_in(const parametric_system& open, const first_or
 void require_autonomous(const first_order_form& form, const explicit_system& system) {
     for (const expression& each : form.slopes) {
         if (each.has_variable()) {
-            throw error(error_kind::undecided, error_subject::problem, system.variable(),
-                        "occurs in the equation: conditions at infinity require an "
-                        "autonomous system with an "
-                        "equilibrium");
+            throw error(
+                error_kind::undecided, error_subject::problem, system.variable(),
+                "occurs in the equation: conditions at infinity require an autonomous system with an "
+                "equilibrium, a sum of powers c t^p y^q y'^r, or a polynomial in u, u' and 1/t with one unknown "
+                "initial value");
         }
     }
 }

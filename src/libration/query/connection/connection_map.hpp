@@ -15,8 +15,7 @@
 
 namespace libration::ode {
 
-/// Values of the first unknowns at the initial point, and their derivatives by
-/// the free numbers.
+/// Values of the first unknowns at a time, and their derivatives by the free numbers.
 struct start_values {
     std::vector<ball> values;
     ball_matrix by_numbers;
@@ -25,9 +24,8 @@ struct start_values {
 using start_rule =
     std::function<std::optional<start_values>(const std::vector<ball>& numbers, long bits, long error_bits)>;
 
-/// F = Phi_T(start) - P(theta): the unknowns are the free numbers, the free
-/// coordinates of the equilibria at the start and at the end, the angle of the
-/// start on an unstable manifold of dimension 2, and theta at the end.
+/// F = Phi_T(start) - P(theta): the unknowns are the free numbers, the free coordinates of the equilibria at the start
+/// and at the end, the angle of the start on an unstable manifold of dimension 2, and theta at the end.
 class connection_map {
 public:
     connection_map(const equation_system& system, const std::vector<std::string>& unknowns,
@@ -48,9 +46,8 @@ public:
     std::size_t left_variables() const { return left_ ? left_->variables() : 0; }
     std::vector<std::string> names(const std::vector<std::string>& unknowns) const;
 
-    /// Chooses coordinates at both ends for first guesses of numbers and
-    /// coordinates, and the side of the start on a curve. False if no manifold is
-    /// proved there.
+    /// Chooses coordinates at both ends for first guesses of numbers and coordinates, and the side of the start on a
+    /// curve. False if no manifold is proved there.
     bool choose(const std::vector<double>& at, int side);
     /// Whether the equations or the limits depend on a free number.
     bool depends_on_numbers() const;

@@ -206,8 +206,7 @@ std::string connection_orbit::phase() const {
     }
     if (of_phase_.empty()) {
         return "t = 0 is where the series of the unstable manifold is left, since no unknown with a limit at -inf has "
-               "a "
-               "proved part of one slowest real rate there";
+               "a proved part of one slowest real rate there";
     }
     const auto rate =
         to_proved_decimal(rate_of_phase_, std::min(digits_of_phase, proved_digits(rate_of_phase_, digits_of_phase)));

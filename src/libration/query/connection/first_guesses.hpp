@@ -32,4 +32,13 @@ inline std::vector<double> signed_first_guesses() {
     return all;
 }
 
+/// A guess, and numbers on both sides of it at distances of `first` of its size, 2 first, .. up to `last`.
+inline std::vector<double> guesses_around(double given, double first, double last) {
+    std::vector<double> all{given};
+    for (double part = first; part <= last; part *= 2) {
+        all.insert(all.end(), {given * (1 + part) + part / 8, given * (1 - part) - part / 8});
+    }
+    return all;
+}
+
 }  // namespace libration::ode

@@ -5,6 +5,7 @@
 
 #include "../../algebra/dense_matrix.hpp"
 #include "first_guesses.hpp"
+#include "followed_start.hpp"
 #include "layer_text.hpp"
 #include "libration/algebra/krawczyk.hpp"
 #include "libration/equation/polynomial_form.hpp"
@@ -13,6 +14,7 @@
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/decimal.hpp"
 #include "libration/scalar/error.hpp"
+#include "single_newton.hpp"
 
 namespace libration::ode {
 
@@ -40,11 +42,7 @@ constexpr double last_width = 2;
 class layer_search {
 public:
     layer_search(const connection_question& question, layer_text text, const proof_route& route, march_watch watch)
-        : question_(question), text_(std::move(text)), route_(route), watch_(std::move(watch)) {
-        for (const expression& each : text_.open.starts) {
-            by_start_.push_back(partial(each, text_.open.leaves.front()));
-        }
-    }
+        : question_(question), text_(std::move(text)), route_(route), watch_(std::move(watch)) {}
 
     connection result() {
         const precision_scope scope(decimal_digits(bits_of_layer));
@@ -164,13 +162,7 @@ private:
     // First guesses at changes of the side around those that are given, then these themselves.
     std::vector<double> improved_guesses() const {
         const auto given = guesses();
-        std::vector<double> around = given;
-        if (given.size() == 1) {
-            for (double part = first_width; part < last_width; part *= 2) {
-                around.push_back(given.front() * (1 + part) + part / 8);
-                around.push_back(given.front() * (1 - part) - part / 8);
-            }
-        }
+        auto around = given.size() == 1 ? guesses_around(given.front(), first_width, last_width) : given;
         std::ranges::sort(around);
         std::vector<double> result;
         for (std::size_t i = 0; i + 1 < around.size(); ++i) {
@@ -210,49 +202,17 @@ private:
     }
 
     bool improve(ball& x) const {
-        for (int k = 0; k < most_layer_steps; ++k) {
-            std::optional<enclosed_map> f;
-            try {
-                f = at({x}, bits_of_layer, run_bits::usual_error_bits, false);
-            } catch (const error&) {
-                return false;
-            }
-            if (!f) {
-                return false;
-            }
-            const double step = as_double(f->value.front()) / as_double(f->derivative.front().front());
-            const double size = std::fabs(step) / (0.1 + std::fabs(as_double(x)));
-            if (!std::isfinite(step)) {
-                return false;
-            }
-            x = exact_midpoint(x - exactly(size > 0.5 ? step * 0.5 / size : step));
-            if (size < 1e-13) {
-                return true;
-            }
-        }
-        return false;
+        return improved_by_newton(x, most_layer_steps, 0.5, long_step::shortened, [&](const ball& at_x) {
+            return at({at_x}, bits_of_layer, run_bits::usual_error_bits, false);
+        });
     }
 
     // F = f'' - f u Phi(1/f^2, u), with the slopes of Phi.
     std::optional<enclosed_map> at(const std::vector<ball>& x, long bits, long error_bits, bool proving) const {
         const precision_scope scope(decimal_digits(bits));
-        expression_values<ball> values(text_.open.leaves, ball(0));
-        values.push_back(x.front());
-        std::vector<ball> start;
-        ball_matrix by_number;
-        for (std::size_t i = 0; i < text_.open.starts.size(); ++i) {
-            start.push_back(values.of(text_.open.starts[i]));
-            by_number.push_back({values.of(by_start_[i])});
-        }
-        proved_march march(text_.open.system, start, bits, error_bits, watch_, route_);
-        march.keep_derivative();
-        const ball target = constant_value<ball>::of(text_.open.system.point()) + exactly(time_);
-        const auto state = march.at(target);
-        if (!state) {
-            return std::nullopt;
-        }
-        const ball_matrix slopes = product(march.derivative_at(target), by_number);
-        return on_graph(*state, slopes, proving);
+        const auto here =
+            followed_start(text_.open, typed_start(text_.open, x), time_, bits, error_bits, watch_, route_);
+        return here ? on_graph(here->values, here->by_numbers, proving) : std::nullopt;
     }
 
     std::optional<enclosed_map> on_graph(const std::vector<ball>& state, const ball_matrix& slopes,
@@ -326,7 +286,6 @@ private:
     layer_text text_;
     proof_route route_;
     march_watch watch_;
-    std::vector<expression> by_start_;
     double far_ = 0, time_ = 0;
     std::size_t terms_ = 0;
 };

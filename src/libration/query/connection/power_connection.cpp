@@ -88,8 +88,7 @@ private:
             if (!(each.time > -1)) {
                 refuse_start("has the term t^(" + text_of_exponent(each.time) +
                              ") at its initial point, where only powers larger than -1 are supported for limits at "
-                             "infinity: choose "
-                             "another initial point");
+                             "infinity: choose another initial point");
             }
         }
     }

@@ -7,6 +7,7 @@
 #include "../../algebra/dense_matrix.hpp"
 #include "enclosed_decimal.hpp"
 #include "first_guesses.hpp"
+#include "followed_start.hpp"
 #include "leaving_side.hpp"
 #include "libration/integration/proved_march.hpp"
 #include "libration/scalar/ball/decimal.hpp"
@@ -15,6 +16,7 @@
 #include "libration/scalar/decimal.hpp"
 #include "libration/scalar/error.hpp"
 #include "radial_equation.hpp"
+#include "single_newton.hpp"
 
 namespace libration::ode {
 
@@ -120,15 +122,8 @@ private:
 
     std::vector<double> guesses() {
         const double given = nearest_doubles(far_.open().values).front();
-        std::vector<double> around;
-        if (question_.open.empty()) {
-            around = {given};
-            for (double part = first_part_of_radial; part <= 1; part *= 2) {
-                around.insert(around.end(), {given * (1 + part) + part / 8, given * (1 - part) - part / 8});
-            }
-        } else {
-            around = signed_first_guesses();
-        }
+        const auto around =
+            question_.open.empty() ? guesses_around(given, first_part_of_radial, 1) : signed_first_guesses();
         const double limit = as_double(equation_.at_infinity().limit);
         std::vector<double> found;
         if (choose_start(given)) {
@@ -146,34 +141,18 @@ private:
         return found;
     }
 
-    struct followed {
-        std::vector<ball> state, by_x;
-    };
-    std::optional<followed> at_far_time(const ball& x, long bits, long error_bits) const {
-        const auto from = far_.begins ? far_.begins({x}, bits, error_bits) : typed_start(x);
-        if (!from) {
-            return std::nullopt;
-        }
-        proved_march march(far_.open().system, from->values, bits, error_bits, watch_, route_);
-        march.keep_derivative();
-        const ball target = constant_value<ball>::of(far_.open().system.point()) + exactly(time_);
-        const auto state = march.at(target);
-        if (!state) {
-            return std::nullopt;
-        }
-        const ball_matrix slopes = product(march.derivative_at(target), from->by_numbers);
-        return followed{*state, {slopes[0].front(), slopes[1].front(), slopes[2].front()}};
+    std::optional<start_values> at_far_time(const ball& x, long bits, long error_bits) const {
+        const auto from = far_.begins ? far_.begins({x}, bits, error_bits) : typed_start(far_.open(), {x});
+        return from ? followed_start(far_.open(), *from, time_, bits, error_bits, watch_, route_) : std::nullopt;
     }
 
-    std::optional<start_values> typed_start(const ball& x) const {
-        expression_values<ball> values(far_.open().leaves, ball(0));
-        values.push_back(x);
-        start_values result;
-        for (const expression& each : far_.open().starts) {
-            result.values.push_back(values.of(each));
-            result.by_numbers.push_back({values.of(partial(each, far_.open().leaves.front()))});
+    // The slope of the distance from the graph along the solution.
+    ball slope_at(const start_values& here) const {
+        std::vector<ball> by_x;
+        for (const auto& row : here.by_numbers) {
+            by_x.push_back(row.front());
         }
-        return result;
+        return graph_->slope_along(here.values[0], here.values[1], here.values[2], by_x);
     }
 
     // F = rho - Phi(w, s) at the far time, with the slopes of Phi; without a block those of the formal graph.
@@ -183,10 +162,8 @@ private:
         if (!here) {
             return std::nullopt;
         }
-        const ball& u = here->state[0];
-        const ball& v = here->state[1];
-        const ball& w = here->state[2];
-        const auto place = graph_->place_of(u, v, w);
+        const ball& w = here->values[2];
+        const auto place = graph_->place_of(here->values[0], here->values[1], w);
         const bool is_inside =
             arb_is_positive(w.handle()) != 0 && magnitude(w) <= graph_->w && magnitude(place.s) <= graph_->s;
         if (is_proved_ && !is_inside) {
@@ -194,15 +171,14 @@ private:
         }
         enclosed_map result;
         result.value = {widened(place.rho, graph_->eps)};
-        result.derivative = {{graph_->slope_along(u, v, w, here->by_x)}};
+        result.derivative = {{slope_at(*here)}};
         return result;
     }
 
     // Whether the error of the graph is small enough for the digits.
-    bool has_digits(const ball& x, const followed& here) const {
-        const ball slope = graph_->slope_along(here.state[0], here.state[1], here.state[2], here.by_x);
+    bool has_digits(const ball& x, const start_values& here) const {
         const ball digits = pow(ball(10), -question_.digits - digits_beyond_radial);
-        return certainly_less(graph_->eps.exact(), abs(slope) * abs(x) * digits);
+        return certainly_less(graph_->eps.exact(), abs(slope_at(here)) * abs(x) * digits);
     }
 
     // The block about the solution at the far time: one for all numbers x.
@@ -212,8 +188,8 @@ private:
         if (!here) {
             return false;
         }
-        const magnitude w(here->state[2]);
-        const magnitude s(graph_->place_of(here->state[0], here->state[1], here->state[2]).s);
+        const magnitude w(here->values[2]);
+        const magnitude s(graph_->place_of(here->values[0], here->values[1], here->values[2]).s);
         for (int k = 0; k < most_blocks; ++k) {
             const auto found = proved_saddle_graph(equation_.at_infinity(), *graph_, w + w.shifted(-log2_of_room),
                                                    s.shifted(1 + k * log2_of_next_block));
@@ -252,27 +228,8 @@ private:
     }
 
     bool improve(ball& x, long bits) const {
-        for (int k = 0; k < most_radial_steps; ++k) {
-            std::optional<enclosed_map> f;
-            try {
-                f = at(x, bits, run_bits::usual_error_bits);
-            } catch (const error&) {
-                return false;
-            }
-            if (!f) {
-                return false;
-            }
-            const double step = as_double(f->value.front()) / as_double(f->derivative.front().front());
-            const double size = std::fabs(step) / (0.1 + std::fabs(as_double(x)));
-            if (!std::isfinite(step) || size > 1) {
-                return false;
-            }
-            x = exact_midpoint(x - exactly(step));
-            if (size < 1e-13) {
-                return true;
-            }
-        }
-        return false;
+        return improved_by_newton(x, most_radial_steps, 1, long_step::refused,
+                                  [&](const ball& at_x) { return at(at_x, bits, run_bits::usual_error_bits); });
     }
 
     connection proved(ball x) {

@@ -194,8 +194,9 @@ eigenvalues proved_eigenvalues(const eigenvalue_question& question, const march_
         const long index = wells.nearest(*question.near);
         result.values.push_back(wells.value(index));
         result.proved = question.energy + " is the simple eigenvalue of index " + std::to_string(index) +
-                        ": the solution has exactly " + std::to_string(index) + " zeros between the ends, and " +
-                        std::to_string(index) + " eigenvalues are below it";
+                        ": the solution has exactly " + std::to_string(index) + (index == 1 ? " zero" : " zeros") +
+                        " between the ends, and " + std::to_string(index) +
+                        (index == 1 ? " eigenvalue is" : " eigenvalues are") + " below it";
         return result;
     }
     for (long index = 0; index < question.count; ++index) {
