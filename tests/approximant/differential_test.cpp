@@ -153,9 +153,12 @@ TEST_CASE("a short list gives no relation, and zeros satisfy each", "[approximan
     const auto of_late = relation_of(late, {1, 0, 0}, 23, bits);
     REQUIRE(of_late);
     CHECK(of_late->exact);
+    CHECK(relation_of(late, {0, 4, 0}, 23, bits));
     late[23] += mpfr(1) / 1000;
     const auto of_changed = relation_of(late, {1, 0, 0}, 23, bits);
     CHECK((!of_changed || !of_changed->exact));
+    // A Pade approximant has the last coefficient on the right-hand side alone: no solution.
+    CHECK_FALSE(relation_of(late, {0, 4, 0}, 23, bits));
 }
 
 TEST_CASE("a logarithm and a power are a double root of an equation of order 2", "[approximant][differential]") {

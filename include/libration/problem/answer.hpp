@@ -77,7 +77,7 @@ inline answer_value text_value(std::string text) { return {std::move(text), "", 
 struct answer_note {
     std::string name;
     std::string text;
-    std::string kind = {};  ///< of a number beside the values: amplitude, rate, limit or angle
+    std::string kind = {};  ///< of a number in addition to the values: amplitude, rate, limit or angle
 };
 
 /// The column of the derivative of a quantity with respect to a number: "dx'(t)/dx(0)".

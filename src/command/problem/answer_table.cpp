@@ -67,8 +67,8 @@ table table_of(const answer& found, const column_labels& labels) {
 
 std::string lines_of_notes(const answer& found) {
     std::string lines;
-    for (const auto& [name, text] : found.notes) {
-        lines += fmt::format("{:<14}{}\n", name, text);
+    for (const answer_note& each : found.notes) {
+        lines += fmt::format("{:<14}{}\n", each.name, each.text);
     }
     return lines;
 }

@@ -37,7 +37,7 @@ law_question question_of(const asymptotics_options& options) {
         asked.within = positive_number_of("--within", *options.within);
     }
     if (options.terms) {
-        asked.terms = reading("--terms", *options.terms, "write the last index of the expansions, 1 to 200",
+        asked.terms = reading("--terms", *options.terms, "write the last index of the expansions, 0 to 200",
                               [&] { return read_count(*options.terms, most_terms_of_law); });
     }
     for (const std::string& each : options.orders) {

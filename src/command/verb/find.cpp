@@ -14,6 +14,7 @@
 #include "libration/problem/find.hpp"
 #include "libration/problem/known_facts.hpp"
 #include "libration/problem/limit_solution.hpp"
+#include "limit_options.hpp"
 #include "option/options.hpp"
 #include "option/output_place.hpp"
 #include "option/subcommand.hpp"
@@ -172,6 +173,7 @@ int print_solutions(const find_options& options, const found_solutions& found, l
                 say_line(each.name + ": " + each.text);
             }
         }
+        say_missing(options.shown, found.solutions().front().notes);
     }
     if (ended) {
         throw error(*ended);

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "first_values.hpp"
 #include "libration/equation/text/parse.hpp"
 #include "libration/problem/limit_text.hpp"
+#include "run/progress.hpp"
 #include "text/input_error.hpp"
 
 namespace libration {
@@ -21,6 +23,14 @@ void limit_options::add_to(CLI::App& command) {
         ->delimiter(',')
         ->type_name("NAMES");
     command.add_option("--guess", guesses_, "a first guess of one of them: \"f''(0)=0.5\"")->type_name("NAME=VALUE");
+}
+
+void say_missing(const std::vector<std::string>& shown, const std::vector<answer_note>& notes) {
+    for (const std::string& kind : shown) {
+        if (std::ranges::none_of(notes, [&](const answer_note& each) { return each.kind == kind; })) {
+            say_line("--show " + kind + ": no such number of this solution is proved with these digits");
+        }
+    }
 }
 
 namespace {

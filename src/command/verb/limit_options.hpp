@@ -17,6 +17,9 @@ struct taken_limits {
     std::vector<std::string> shown;  ///< of numbers_at_infinity(), by --show
 };
 
+/// A line on stderr for each kind of number that `shown` names and no note has.
+void say_missing(const std::vector<std::string>& shown, const std::vector<answer_note>& notes);
+
 /// --unknown and --guess, for problems whose text has conditions at infinity.
 class limit_options {
 public:

@@ -87,6 +87,7 @@ int write_limit_states(const taken_limits& of, const limit_states_request& asked
             say_line(each.name + ": " + each.text);
         }
     }
+    say_missing(of.shown, notes);
     require_complete(table_of_states);
     return 0;
 }
