@@ -130,7 +130,7 @@ target_compile_features(libration-vectors PRIVATE cxx_std_20)
 # Vectors of a length known only at run time would need other loops; processors with them also have NEON.
 target_compile_definitions(libration-vectors PRIVATE
     "HWY_DISABLED_TARGETS=(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128|HWY_RVV)")
-target_link_libraries(libration-vectors PRIVATE PkgConfig::hwy libration-warnings)
+target_link_libraries(libration-vectors PRIVATE PkgConfig::hwy Boost::headers libration-warnings)
 target_compile_options(libration-vectors PRIVATE ${switches_name_all})
 target_sources(libration PRIVATE $<TARGET_OBJECTS:libration-vectors>)
 
