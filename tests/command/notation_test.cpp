@@ -32,7 +32,7 @@ TEST_CASE("what the text leaves open is named with both remedies", "[command][no
     check_refused(
         reference_of("x' = a + x^2; x(0) = 0"),
         {"--problem 'a' at line 1, column 6 has no value: add --set a=NUMBER, or write x' = a + x^2; x(0) = 0; a "
-         "= NUMBER for a parameter, a' = ... for an unknown"});
+         "= NUMBER for a parameter, a' = ... for an unknown, variable a for the independent variable"});
     check_refused(
         reference_of("x' = x^2"),
         {"--problem 'x' has no initial value: add --set \"x(0) = NUMBER\", or write x' = x^2; x(0) = NUMBER"});

@@ -147,6 +147,7 @@ TEST_CASE("the catalogue has the problems it promises", "[problem][catalogue]") 
                                    "painleve_2",
                                    "lane_emden",
                                    "thomas_fermi",
+                                   "meniscus",
                                    "van_der_pol",
                                    "lorenz",
                                    "duffing",
@@ -265,6 +266,7 @@ TEST_CASE("published values come out", "[problem][catalogue]") {
         {"lane_emden", {"n = 2"}, "4.35287459594612467697", "y", 0, "0", "1e-20"},
         {"lane_emden", {"n = 4"}, "14.97154634883809509761", "y", 0, "0", "1e-20"},
         {"thomas_fermi", {}, "10", "y", 0, "0.0243143", "5e-8"},
+        {"meniscus", {}, "5", "h", 0, "0.00552425431544597607529", "1e-20"},  // from its closed form
         {"van_der_pol", amplitude, "6.66328685932313018969", "x", 0, "2.008619860874843136509", "1e-19"},
         {"van_der_pol", amplitude, "6.66328685932313018969", "x", 1, "0", "1e-19"},
         {"lorenz", orbit, "1.55865221071617472756", "x", 0, "-13.76361068213420052501", "1e-17"},

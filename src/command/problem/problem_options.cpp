@@ -64,9 +64,10 @@ void require_parameters(const ode::equation_system& system, const std::string& w
         const ode::open_parameter& open = system.open.front();
         throw input_error(fmt::format(
             "--problem {0} at line {1}, column {2} has no value: add --set {3}=NUMBER, or write {4} for a parameter, "
-            "{3}' = ... for an unknown",
+            "{3}' = ... for an unknown{5}",
             quotation(open.name), open.at.line, open.at.column, open.name,
-            with_statement(words, open.name + " = NUMBER")));
+            with_statement(words, open.name + " = NUMBER"),
+            system.variable == "t" ? fmt::format(", variable {} for the independent variable", open.name) : ""));
     }
 }
 
