@@ -101,6 +101,12 @@ TEST_CASE("decimals have no more digits than they determine, and --method verdic
     CHECK(number_of(rows[0].at("error")) <= number_of(rows[0].at("uncertainty")));
     CHECK(rows[0].at("value").size() <= 7);
     CHECK(rows[1].at("value").empty());  // beyond the pole at 3
+    // The other methods state what the rounding of the coefficients does to them.
+    const auto others = rows_about(list, {"--times", "1,2", "--reference", "3/(3-t)+2/(2+t)"});
+    for (const auto& row : others) {
+        INFO(row.at("method") << " at " << row.at("time"));
+        CHECK((row.at("uncertainty").empty() || number_of(row.at("error")) <= number_of(row.at("uncertainty"))));
+    }
 }
 
 TEST_CASE("series takes decimals as exact or as rounded if told so", "[command][series]") {

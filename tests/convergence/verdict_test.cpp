@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <fstream>
+#include <random>
 #include <sstream>
 
 #include "libration/convergence/coefficient_list.hpp"
@@ -211,6 +212,18 @@ TEST_CASE("the damped Duffing oscillator, a psi series, gets no kind", "[converg
         INFO("c = " << damping << ", N = " << order << ": " << name_of(found.kind));
         CHECK(found.radius);
         CHECK(found.kind != singularity_kind::pole);
+    }
+}
+
+TEST_CASE("an equation that only the first coefficients satisfy is not one of the list", "[convergence][verdict]") {
+    const precision_scope scope(most_digits);
+    for (const unsigned seed : {4U, 5U, 13U, 17U}) {
+        INFO(seed);
+        std::mt19937 random(seed);
+        const auto signs = list_of(59, [&](int) { return mpfr(random() % 2 == 0 ? 1 : -1); });
+        const auto found = verdict_on(signs);
+        CHECK_FALSE(found.exact);
+        CHECK((!found.radius || covers(found, mpfr(1))));
     }
 }
 

@@ -64,7 +64,7 @@ std::string text_of_suspect(const list_verdict& verdict, const table& data) {
     }
     const auto& row = data.rows().front();
     const std::string remark = verdict.suspect->confirmed
-                                   ? "the later coefficients agree with the predicted value"
+                                   ? "the next three coefficients agree with the predicted value"
                                    : "too few coefficients follow it to confirm the predicted value";
     return fmt::format("coefficient {} is off by {} of itself: the others predict {} +- {}\n{}\n", row[0].text(),
                        row[3].text(), row[1].text(), row[2].text(), remark);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "coefficient_tables.hpp"
@@ -26,13 +27,17 @@ namespace {
 
 constexpr int most_orders = 40;
 constexpr long uncertainty_digits = 3;
+constexpr int directions = 8;  // in which rounded coefficients are moved
 
-// a_n u^n in the precision in force.
-power_series<mpfr> scaled_list(const list_request& request, int order, const mpfr& unit) {
+// a_n u^n in the precision in force; (a_n + m_n) u^n if there are moves m_n.
+power_series<mpfr> scaled_list(const list_request& request, int order, const mpfr& unit,
+                               std::span<const mpfr> moves = {}) {
     std::vector<mpfr> values;
     mpfr power(1);
     for (int n = 0; n <= order; ++n, power *= unit) {
-        values.push_back(from_exact<mpfr>(request.coefficients[static_cast<std::size_t>(n)]) * power);
+        const auto k = static_cast<std::size_t>(n);
+        const mpfr a = from_exact<mpfr>(request.coefficients[k]);
+        values.push_back((moves.empty() ? a : mpfr(a + moves[k])) * power);
     }
     return power_series<mpfr>(std::move(values));
 }
@@ -58,13 +63,14 @@ std::vector<mpfr> scaled_end(const list_request& request, const mpfr& end) {
 }
 
 // The list up to an order as a function of time, in the precision in force.
-function_of_time approximant(const list_request& request, list_method method, int order, const mpfr& unit) {
+function_of_time approximant(const list_request& request, list_method method, int order, const mpfr& unit,
+                             std::span<const mpfr> moves = {}) {
     if (method == list_method::endpoint) {
         const auto end = from_exact<mpfr>(*request.end);
-        const endpoint_approximant<mpfr> found(scaled_list(request, order, end), scaled_end(request, end));
+        const endpoint_approximant<mpfr> found(scaled_list(request, order, end, moves), scaled_end(request, end));
         return [found, end](const mpfr& t) { return std::optional(found.value(mpfr(t / end))); };
     }
-    const auto a = scaled_list(request, order, unit);
+    const auto a = scaled_list(request, order, unit, moves);
     if (method == list_method::series) {
         return [a, unit](const mpfr& t) { return std::optional(evaluate_value(a, mpfr(t / unit))); };
     }
@@ -115,6 +121,36 @@ std::vector<std::optional<mpfr>> values_of_list(const list_request& request, con
         found.push_back(poles[k] ? std::nullopt : std::optional(values[k]));
     }
     return found;
+}
+
+// The largest changes of the values of a method at all times if the coefficients of a rounded list move by their rounding
+// errors, in directions from a linear congruence; nothing where one of them is a pole, 0 for exact lists.
+std::vector<std::optional<mpfr>> changes_by_rounding(const list_request& request, list_method method) {
+    const written_list written = written_list_of(request.coefficients, request.rounded);
+    std::vector<std::optional<mpfr>> changes(request.times.size(), mpfr(0));
+    if (std::ranges::all_of(written.rounding, [](const mpfr& each) { return each == 0; })) {
+        return changes;
+    }
+    const mpfr unit = unit_of_list(request);
+    const auto whole = approximant(request, method, request.order(), unit);
+    unsigned seed = 1;
+    for (int i = 0; i < directions; ++i) {
+        std::vector<mpfr> moves;
+        for (const mpfr& each : written.rounding) {
+            seed = seed * 1664525U + 1013904223U;
+            moves.push_back((seed >> 16U) % 2 == 0 ? each : mpfr(-each));
+        }
+        const auto moved = approximant(request, method, request.order(), unit, moves);
+        for (std::size_t k = 0; k < changes.size(); ++k) {
+            const auto t = from_exact<mpfr>(request.times[k]);
+            const auto before = whole(t);
+            const auto after = moved(t);
+            changes[k] = changes[k] && before && after
+                             ? std::optional(std::max(*changes[k], mpfr(abs(mpfr(*after - *before)))))
+                             : std::nullopt;
+        }
+    }
+    return changes;
 }
 
 // At most so many of 1 .. N, the last among them; 0 alone where N is 0.
@@ -242,17 +278,22 @@ table list_values(const list_request& request) {
     const auto errors =
         compared ? values_of_list(request, {request.order()}, error_digits, true) : std::vector<std::optional<mpfr>>{};
     const std::size_t times = request.times.size();
+    const precision_scope scope(request.digits + 40);
     for (std::size_t m = 0; m < request.methods.size(); ++m) {
+        const auto changes = changes_by_rounding(request, request.methods[m]);
         for (std::size_t i = 0; i < times; ++i) {
             std::vector<std::optional<mpfr>> by_order;
             for (std::size_t o = 0; o < orders.size(); ++o) {
                 by_order.push_back(values[(m * orders.size() + o) * times + i]);
             }
+            const auto change = largest_change(by_order, request.digits);
+            const auto uncertainty =
+                change && changes[i] ? std::optional(std::max(*change, *changes[i])) : std::nullopt;
             data.add_row({number_cell(decimal_of(request.times[i], request.digits)), name_of(request.methods[m]),
                           request.order(), decimal_cell(by_order.front(), request.digits),
                           compared ? number_cell(decimal_of(request.reference[i], request.digits)) : cell(),
                           compared ? decimal_cell(errors[m * times + i], error_digits) : cell(), request.times[i].text,
-                          decimal_cell(largest_change(by_order, request.digits), uncertainty_digits), cell(), cell()});
+                          decimal_cell(uncertainty, uncertainty_digits), cell(), cell()});
         }
     }
     return data;

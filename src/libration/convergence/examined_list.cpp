@@ -32,7 +32,8 @@ std::unique_ptr<examined_list> with_cuts(std::unique_ptr<examined_list> whole, s
             break;
         }
         auto found = examined(b.first(kept), of, noise, run);
-        if (!found->strong.empty()) {
+        // An equation that a cut satisfies and the whole list does not was met by chance.
+        if (!found->strong.empty() && !found->family.is_exact()) {
             return found;
         }
     }

@@ -258,9 +258,10 @@ private:
             }
             const auto complete = reduced_.complete({*g.value, g.uncertainty}, points_[open[k]]);
             f = with_certain_digit(complete, g.methods);
-            if (f.value && !inside) {
-                f.note =
-                    shape.gevrey ? "the Borel sum" : "beyond the radius: on the branch reached along the real axis";
+            if (f.value && shape.gevrey) {
+                f.note = "the Borel sum";
+            } else if (f.value && verdict_.radius && abs(points[k]) > *verdict_.radius) {
+                f.note = "beyond the radius: on the branch reached along the real axis";
             }
         }
     }

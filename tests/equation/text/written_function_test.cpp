@@ -102,6 +102,7 @@ TEST_CASE("an angle turns through its jump, and lengths pass 0", "[ode][parse][h
         {"hypot(3*t, 4*t)", "0", "2", 10},
         {"hypot(3*t, -4*t)", "-1", "2", q(25, 2)},
         {"hypot(t - 1)", "0", "2", 1},
+        {"hypot(0, t, 0)", "-1", "2", q(5, 2)},
         {"hypot(t, 1, 2)", "0", "1", mpfr((sqrt(mpfr(6)) + 5 * asinh(mpfr(1 / sqrt(mpfr(5))))) / 2)},
     });
 }

@@ -133,7 +133,12 @@ std::pair<expression, expression> factored(const expression& e) {
 }
 
 // sqrt(x^2 + y^2 + ...), and sqrt(a^2 + b^2 + ...)*abs(u) for multiples a*u, b*u of one expression, which may become 0.
-expression hypotenuse(const arguments& x, step_collector* steps) {
+expression hypotenuse(const arguments& all, step_collector* steps) {
+    arguments x = all;
+    std::erase_if(x, [](const expression& each) { return same_form(each, expression(0)); });
+    if (x.empty()) {
+        return 0;
+    }
     const expression common = factored(x[0]).second;
     const bool multiples =
         std::ranges::all_of(x, [&](const expression& each) { return same_form(factored(each).second, common); });
