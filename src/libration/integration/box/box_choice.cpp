@@ -12,7 +12,7 @@ namespace {
 
 constexpr long steps_before_choice = 4;
 constexpr double clear_difference = 2;
-// What is predicted reaches so many times the way so far: a fast decay at the beginning is no measure of what follows.
+// What is predicted reaches so many times the way so far: a fast decay at the beginning does not last.
 constexpr double most_times_the_way = 16;
 // Operations of the reorthogonalisation of theorem V, in units of a product of 64 bits, per unknown cubed.
 constexpr double cost_of_orthogonalisation = 6;
