@@ -140,9 +140,9 @@ def main():
     heyoka.llvm_state.set_diskcache_enabled(False)  # each system is compiled
     heyoka.llvm_state.set_memcache_limit(0)
     print(f"heyoka.py {heyoka.__version__}, {heyoka.recommended_simd_size()} lanes")
-    print(f"{'':<14}{'libration':>30}{'heyoka':>30}{'ratio':>8}{'ahead up to':>13}")
+    print(f"{'':<14}{'libration':>30}{'heyoka':>32}{'ratio':>8}{'ahead up to':>13}")
     print(f"{'one solution':<14}{'start ms':>10}{'us a unit':>11}{'error':>9}"
-          f"{'compile ms':>10}{'us a unit':>11}{'error':>9}{'':>8}{'units':>13}")
+          f"{'compile ms':>12}{'us a unit':>11}{'error':>9}{'':>8}{'units':>13}")
     correct = True
     families = []
     for title, problem, system, at, far, varied in PROBLEMS:
@@ -165,7 +165,7 @@ def main():
         ours_us = (median(long) - median(short)) / far * 1e6
         theirs_us = median(theirs) / far * 1e6
         ahead = max(0, (compile_time - median(short)) / (ours_us - theirs_us) * 1e6) if ours_us > theirs_us else numpy.inf
-        print(f"{title:<14}{median(short) * 1e3:>10.0f}{ours_us:>11.2f}{errors[0]:>9.0e}{compile_time * 1e3:>10.0f}"
+        print(f"{title:<14}{median(short) * 1e3:>10.0f}{ours_us:>11.2f}{errors[0]:>9.0e}{compile_time * 1e3:>12.0f}"
               f"{theirs_us:>11.2f}{errors[1]:>9.0e}{ours_us / theirs_us:>8.2f}"
               f"{ahead:>13.0f}", flush=True)
         if varied is not None:
@@ -185,7 +185,7 @@ def main():
             theirs.append(cpu_of(lambda: propagate_all(integrator, starts, at)))
         per_member = 1e6 / MEMBERS / at
         ours_us, theirs_us = (median(long) - median(short)) * per_member, median(theirs) * per_member
-        print(f"{title:<14}{median(short) * 1e3:>10.0f}{ours_us:>11.2f}{'':>9}{compile_time * 1e3:>10.0f}"
+        print(f"{title:<14}{median(short) * 1e3:>10.0f}{ours_us:>11.2f}{'':>9}{compile_time * 1e3:>12.0f}"
               f"{theirs_us:>11.2f}{'':>9}{ours_us / theirs_us:>8.2f}", flush=True)
     return 0 if correct else 1
 
