@@ -17,6 +17,7 @@
 #include "libration/digits/precision_loop.hpp"
 #include "libration/integration/step_limits.hpp"
 #include "libration/query/states.hpp"
+#include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/printed_number.hpp"
 #include "small_divisor.hpp"
@@ -95,6 +96,10 @@ inline constexpr std::size_t many_unknowns = 6;
 /// Where a run by theorem G ends in a smaller part of the time, the next one of so many unknowns is by theorem V.
 inline constexpr double least_part_by_comparison = 1. / 16;
 inline constexpr std::size_t most_unknowns_instead_of_comparison = 40;
+/// After so many runs with values that contain 0, none follows one of more steps times unknowns times squared bits; some
+/// seconds.
+inline constexpr int usual_runs_with_zeros = 3;
+inline constexpr double most_work_of_run_with_zeros = 1L << 28;
 
 /// Runs from the initial point through all times, each with more bits than the one before, until every digit is proved
 /// or no run proves more.
@@ -117,7 +122,7 @@ public:
                       ? linear_flow::of(system)
                       : std::nullopt),
           names_(asked_of(names_of_state(system))),
-          has_many_unknowns_(names_of_state(system).size() >= many_unknowns),
+          unknowns_(names_of_state(system).size()),
           done_(times.size()),
           ends_{times.size(), times.size()} {
         part_.states.resize(times.size());
@@ -176,12 +181,12 @@ private:
                     };
                     const double part = std::min(part_up_to(order_.back().index), part_up_to(each.index));
                     if (march->ends_by_comparison() && part < least_part_by_comparison &&
-                        names_of_state(system_).size() <= most_unknowns_instead_of_comparison &&
+                        unknowns_ <= most_unknowns_instead_of_comparison &&
                         route_.integrator == integrator_choice::automatic) {
                         // Theorem G does not resolve unknowns that grow from 0 one after the other.
                         route_.comparison = false;
                         demand.ended_part_way(1, time);
-                    } else if (march->ends_by_comparison() || has_many_unknowns_) {
+                    } else if (march->ends_by_comparison() || unknowns_ >= many_unknowns) {
                         demand.ended_by_steady_loss(part, time);
                     } else {
                         demand.ended_part_way(part, time);
@@ -190,6 +195,9 @@ private:
                 continue;
             }
             demand.improve(part_.states[each.index], asked_of(*state), time, names_);
+            if (place + 1 == order_.size()) {
+                end_with_zeros(asked_of(*state), part_.states[each.index], time, march ? march->steps() : 0, run.bits);
+            }
             if (demand.repeats()) {
                 break;
             }
@@ -203,6 +211,27 @@ private:
             }
         }
         demand.cost(march ? march->steps() : 0);
+    }
+
+    // Of many unknowns, some of which are so much smaller than others that each run only shows a few more of them.
+    void end_with_zeros(const std::vector<ball>& state, const std::vector<known_value>& known, const std::string& time,
+                        long steps, long bits) {
+        std::size_t count = 0, first = 0;
+        for (std::size_t k = state.size(); k-- > 0;) {
+            if (!known[k].decimal && is_finite(state[k]) && contains_zero(state[k])) {
+                first = k;
+                ++count;
+            }
+        }
+        const double work = static_cast<double>(steps) * static_cast<double>(unknowns_) * static_cast<double>(bits) *
+                            static_cast<double>(bits);
+        if (count > 0 && ++runs_with_zeros_ > usual_runs_with_zeros && work > most_work_of_run_with_zeros) {
+            throw error(error_kind::undecided, error_subject::time, time,
+                        "has a value of " + names_[first] + " that " + std::to_string(bits) +
+                            " bits do not distinguish from 0: |" + names_[first] + "| < " + known[first].bound +
+                            (count > 1 ? ", and " + std::to_string(count - 1) + " more such values" : "") +
+                            " (more --digits begin with more bits)");
+        }
     }
 
     // Kept steps have no derivative of the flow.
@@ -272,7 +301,8 @@ private:
     constancy constancy_;  ///< `none` also if anything besides the values is requested
     std::optional<linear_flow> linear_;
     std::vector<std::string> names_;  ///< of the requested values
-    bool has_many_unknowns_;
+    std::size_t unknowns_;
+    int runs_with_zeros_ = 0;
     std::vector<bool> done_;
     std::array<std::size_t, 2> ends_;  ///< the places of the first times not reached, backwards and forwards
     std::array<collocation_use, 2> collocation_{};  ///< of the last runs

@@ -173,6 +173,38 @@ TEST_CASE("the series of a vector ends where its terms do, and leaves constants 
     }
 }
 
+// x1' = -r x1, x_(i+1)' = r (x_i - x_(i+1)): (r t)^i/i! exp(-r t), 1e-88 for the last one, and the sum of all with an inflow.
+TEST_CASE("a chain of conversions has all bits of its smallest unknowns", "[ode][proved]") {
+    const int count = 60;
+    const long rate = 40;
+    std::string text =
+        "x0' = -40*x0; x0(0) = 1; whole' = 40*x0; whole(0) = 0; flown' = 7 - 40*flown; flown(0) = 1; kept' = 0; "
+        "kept(0) = 3; ";
+    for (int i = 1; i < count; ++i) {
+        text += named("x", i) + "' = 40*" + named("x", i - 1) + " - 40*" + named("x", i) + "; " + named("x", i) +
+                "(0) = 0; ";
+    }
+    const auto flow = linear_flow::of(system_of(text));
+    REQUIRE(flow);
+    const precision_scope scope(100);
+    for (const rational& time : {rational(1, 50), rational(1), rational(3)}) {
+        const auto state = flow->at(number(time), bits);
+        REQUIRE(state);
+        const ball gone = constant_value<ball>::of(number(time)) * rate;
+        ball expected = exp(-gone);
+        CHECK(encloses((*state)[1], ball(1) - expected));
+        CHECK(encloses((*state)[2], expected + (ball(1) - expected) * 7L / rate));
+        CHECK(arb_equal_si((*state)[3].handle(), 3) != 0);
+        for (int i = 0; i < count; ++i) {
+            CHECK(encloses((*state)[i == 0 ? 0 : static_cast<std::size_t>(i) + 3], expected));
+            expected = expected * gone / static_cast<long>(i + 1);
+        }
+    }
+    const auto before = flow->at(number(rational(-1, 50)), bits);
+    REQUIRE(before);
+    CHECK(encloses((*before)[0], exp(ball(rate) / 50L)));
+}
+
 TEST_CASE("both routes agree on linear problems of the DETEST sets", "[ode][proved]") {
     for (const char* name : {"detest_c1", "stiff_b5"}) {
         CAPTURE(name);

@@ -12,6 +12,8 @@ namespace {
 
 constexpr long steps_before_choice = 4;
 constexpr double clear_difference = 2;
+// What is predicted reaches so many times the way so far: a fast decay at the beginning does not last.
+constexpr double most_times_the_way = 16;
 // Operations of the reorthogonalisation of theorem V, in units of a product of 64 bits, per unknown cubed.
 constexpr double cost_of_orthogonalisation = 6;
 
@@ -37,7 +39,7 @@ bool box_choice::prefers_columns(double rest) const {
         return false;
     }
     constexpr double least = run_bits::usual_error_bits;
-    const double left = std::isfinite(rest) ? std::abs(rest) : way_;
+    const double left = std::isfinite(rest) ? std::min(std::abs(rest), most_times_the_way * way_) : way_;
     const double lost = growth_ / way_ * left;
     const double first = std::max(accuracy_, least + lost);
     const double last = std::max(first - lost, least);

@@ -25,7 +25,8 @@ public:
     void add(double growth, double distance, double accuracy);
     /// Whether the rest of the way costs less by theorem V: (1 + n) series systems with the bits that are left, and n^3
     /// operations for its error set, instead of one system with these and as many more as the radii will have grown.
-    /// Infinite: as far as up to now. Only after some steps, and if the costs differ clearly.
+    /// Infinite: as far as up to now; otherwise up to 16 times as far. Only after some steps, and if the costs differ
+    /// clearly.
     bool prefers_columns(double rest) const;
 
 private:

@@ -4,12 +4,14 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "libration/digits/precision_loop.hpp"
 #include "libration/equation/constant_value.hpp"
 #include "libration/equation/defined_zero.hpp"
+#include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/ball/traits.hpp"
 #include "libration/scalar/error.hpp"
@@ -58,7 +60,7 @@ bool is_precise(const ball& x, long bits) {
 // log2(e), rounded up.
 constexpr double bits_per_e_fold = 1.45;
 
-magnitude largest_of(const std::vector<ball>& values) {
+magnitude largest_of(std::span<const ball> values) {
     magnitude result;
     for (const ball& each : values) {
         result = std::max(result, magnitude(each));
@@ -70,6 +72,17 @@ magnitude largest_of(const std::vector<ball>& values) {
 magnitude sum_of_rest(const magnitude& term, const magnitude& rho, unsigned long k) {
     const magnitude q = rho / (k + 1);
     return term.is_zero() ? term : term * q / magnitude::difference_below(magnitude(1U), q);
+}
+
+// Whether a rest is smaller than all that are distinguished from 0; an exact 0 among those that move has terms to come.
+bool is_small_for_all(const magnitude& rest, const std::vector<ball>& state, const std::vector<bool>& moving) {
+    for (std::size_t i = 0; i < state.size(); ++i) {
+        const magnitude least = magnitude::below(state[i]);
+        if (moving[i] && (arb_is_zero(state[i].handle()) != 0 || (!least.is_zero() && least < rest))) {
+            return false;
+        }
+    }
+    return true;
 }
 
 // A matrix of balls, freed at the end.
@@ -180,89 +193,124 @@ std::vector<ball> linear_flow::by_exponential(const number& time, long bits) con
     return result;
 }
 
-// Of the absolute values of s A, s = t - t0.
-magnitude linear_flow::largest_row_sum(const number& time, long bits) const {
-    const precision_scope scope(decimal_digits(bits));
-    const ball gone = elapsed(time);
-    magnitude largest;
-    for (const auto& row : rows_) {
-        magnitude sum;
-        for (const entry& each : row) {
-            sum += magnitude(constant_value<ball>::of(each.value) * gone);
+// The nonzero entries of s [A b; 0 0] + shift, s = t - t0; without the last row and column for b = 0.
+linear_flow::rows_of_balls linear_flow::scaled_rows(const ball& gone, const magnitude& shift) const {
+    const std::size_t n = rows_.size();
+    rows_of_balls result(is_homogeneous() ? n : n + 1);
+    for (std::size_t i = 0; i < n; ++i) {
+        for (const entry& each : rows_[i]) {
+            result[i].emplace_back(each.column, constant_value<ball>::of(each.value) * gone);
         }
-        largest = std::max(largest, sum);
+        if (!is_zero(constants_[i])) {
+            result[i].emplace_back(n, constant_value<ball>::of(constants_[i]) * gone);
+        }
     }
-    return largest;
+    for (std::size_t i = 0; i < result.size() && !shift.is_zero(); ++i) {
+        const auto diagonal = std::ranges::find(result[i], i, [](const auto& each) { return each.first; });
+        if (diagonal != result[i].end()) {
+            diagonal->second += shift.exact();
+        } else {
+            result[i].emplace_back(i, shift.exact());
+        }
+    }
+    return result;
 }
 
-// y(t) = y(t0) + T_1 + T_2 + ... with T_1 = s (A y(t0) + b), T_(k+1) = s A T_k/(k + 1), s = t - t0. With rho, the
-// largest row sum of |s A|, and q = rho/(k + 1) < 1, the terms after T_k have at most q/(1 - q) times the largest
-// entry of T_k as their sum. The radii grow like exp(rho), so that there are as many more bits. std::nullopt where the
-// products of matrices are estimated to cost less.
-std::optional<std::vector<ball>> linear_flow::by_series(const number& time, long bits) const {
-    const magnitude rho = largest_row_sum(time, bits);
-    if (!prefers_series(rho, bits)) {
-        return std::nullopt;
-    }
-    const long working = bits + static_cast<long>(rho.above() * bits_per_e_fold) + 8;
-    const precision_scope scope(decimal_digits(working));
+// By the numbers of products of balls, those of the series weighted by its longer numbers: at most 2 terms a bit and 4
+// nu, and some eight products of matrices. The column of b counts only in a series of more than one term with it.
+std::optional<linear_flow::series_plan> linear_flow::planned_series(const number& time, long bits) const {
+    const precision_scope scope(decimal_digits(bits));
     const ball gone = elapsed(time);
-    std::vector<std::vector<ball>> entries;
-    std::vector<ball> state;
+    const rows_of_balls plain = scaled_rows(gone, {});
+    magnitude decay;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-        state.push_back(constant_value<ball>::of(starts_[i]));
-        auto& of_row = entries.emplace_back();
-        for (const entry& each : rows_[i]) {
-            of_row.push_back(constant_value<ball>::of(each.value) * gone);
+        for (const auto& [column, value] : plain[i]) {
+            if (column == i && arb_is_negative(value.handle()) != 0) {
+                decay = std::max(decay, magnitude(value));
+            }
         }
     }
-    std::vector<ball> term = product(entries, state);
-    for (std::size_t i = 0; i < term.size(); ++i) {
-        term[i] += constant_value<ball>::of(constants_[i]) * gone;
+    std::optional<series_plan> best;
+    double least = 8 * std::pow(static_cast<double>(rows_.size()), 3);
+    for (const magnitude& shift : {magnitude(), decay}) {
+        series_plan plan{shift, {}, 0};
+        std::size_t entries = 0;
+        for (const auto& row : scaled_rows(gone, shift)) {
+            magnitude sum;
+            for (const auto& [column, value] : row) {
+                sum += column < rows_.size() || !shift.is_zero() ? magnitude(value) : magnitude();
+            }
+            plan.norm = std::max(plan.norm, sum);
+            entries += row.size();
+        }
+        const double lost = bits_per_e_fold * std::max(0., plan.norm.above() - shift.above());
+        const double products = (2 * static_cast<double>(bits) + 4 * plan.norm.above()) *
+                                (1 + lost / static_cast<double>(bits)) * static_cast<double>(entries);
+        if (products <= least) {
+            least = products;
+            plan.bits = bits + static_cast<long>(lost) + 8;
+            best = plan;
+        }
     }
-    const magnitude negligible = std::max(largest_of(state), largest_of(term)).shifted(-bits);
-    const std::vector<bool> moving = changing(term);
+    return best;
+}
+
+// (y(t), 1) = e^-c (T_0 + T_1 + T_2 + ..), T_0 = (y(t0), 1), T_(k+1) = N T_k/(k + 1), N = s [A b; 0 0] + c 1, s = t - t0.
+// With nu, the largest row sum of |N|, and q = nu/(k + 1) < 1, the terms after T_k have at most q/(1 - q) times the
+// largest entry of T_k as their sum. The radii grow like exp(nu), the factor is exp(-c): exp(nu - c) as more bits. Where
+// N and y(t0) are not negative, as in chains of conversions, c costs no bits, and small unknowns have as many as large
+// ones. std::nullopt where the products of matrices are estimated to cost less.
+std::optional<std::vector<ball>> linear_flow::by_series(const number& time, long bits) const {
+    const auto plan = planned_series(time, bits);
+    if (!plan) {
+        return std::nullopt;
+    }
+    const precision_scope scope(decimal_digits(plan->bits));
+    const ball gone = elapsed(time);
+    const rows_of_balls rows = scaled_rows(gone, plan->shift);
+    std::vector<ball> start;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        start.push_back(i < rows_.size() ? constant_value<ball>::of(starts_[i]) : ball(1));
+    }
+    const std::vector<bool> moving = changing(product(scaled_rows(gone, {}), start));
+    std::vector<ball> state = start;
+    std::vector<ball> term = product(rows, start);
+    magnitude rest;
     for (unsigned long k = 1;; ++k) {
         for (std::size_t i = 0; i < state.size(); ++i) {
             state[i] += term[i];
         }
-        const magnitude rest = sum_of_rest(largest_of(term), rho, k);
-        if (rest <= negligible) {
-            for (std::size_t i = 0; i < state.size(); ++i) {
-                if (moving[i]) {
-                    arb_add_error_mag(state[i].handle(), rest.handle());
-                }
-            }
-            return state;
+        rest = sum_of_rest(largest_of(term), plan->norm, k);
+        const magnitude size = std::max(largest_of(std::span(state).first(rows_.size())),
+                                        largest_of(std::span(start).first(rows_.size())));
+        if (rest <= size.shifted(-bits) &&
+            (rest <= size.shifted(-most_times_bits * bits) || is_small_for_all(rest.shifted(bits), state, moving))) {
+            break;
         }
-        term = product(entries, term);
+        term = product(rows, term);
         for (ball& each : term) {
             each /= static_cast<long>(k + 1);
         }
     }
-}
-
-// By the numbers of products of balls, those of the series weighted by its longer numbers: at most 2 terms a bit and 4
-// rho, and some eight products of matrices.
-bool linear_flow::prefers_series(const magnitude& rho, long bits) const {
-    std::size_t entries = 0;
-    for (const auto& row : rows_) {
-        entries += row.size();
+    const ball factor = exp(-plan->shift.exact());
+    state.resize(rows_.size());
+    for (std::size_t i = 0; i < state.size(); ++i) {
+        if (moving[i]) {
+            arb_add_error_mag(state[i].handle(), rest.handle());
+            state[i] *= factor;
+        } else {
+            state[i] = start[i];
+        }
     }
-    const double norm = rho.above();
-    const double weight = 1 + bits_per_e_fold * norm / static_cast<double>(bits);
-    const double terms = 2 * static_cast<double>(bits) + 4 * norm;
-    return terms * weight * static_cast<double>(entries) <= 8 * std::pow(static_cast<double>(rows_.size()), 3);
+    return state;
 }
 
-// `entries` are those of rows_, times s.
-std::vector<ball> linear_flow::product(const std::vector<std::vector<ball>>& entries,
-                                       const std::vector<ball>& x) const {
+std::vector<ball> linear_flow::product(const rows_of_balls& rows, const std::vector<ball>& x) {
     const slong bits = ball::working_bits();
-    std::vector<ball> result(rows_.size());
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-        for (std::size_t j = 0; j < rows_[i].size(); ++j) {
-            arb_addmul(result[i].handle(), entries[i][j].handle(), x[rows_[i][j].column].handle(), bits);
+    std::vector<ball> result(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        for (const auto& [column, value] : rows[i]) {
+            arb_addmul(result[i].handle(), value.handle(), x[column].handle(), bits);
         }
     }
     return result;

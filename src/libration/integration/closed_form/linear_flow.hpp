@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "libration/equation/explicit_system.hpp"
@@ -15,8 +16,8 @@ namespace libration::ode {
 ///     (y(t), 1) = exp((t - t0) [A b; 0 0]) (y(t0), 1),
 /// without the last row and column for b = 0. For every t, stiff or not, the cost is that of some dozens of products of
 /// matrices [Arb, arb_mat_exp: scaling and squaring in balls]; if A has few entries and the largest row sum of
-/// |A (t - t0)| is moderate, that of some dozens of products of A and a vector instead, by the Taylor series of y
-/// (docs/theorems/equations.md).
+/// |A (t - t0)| is moderate, that of as many products of A and a vector and some dozens more, by the Taylor series of y or
+/// of e^(c t) y (docs/theorems/equations.md).
 class linear_flow {
 public:
     /// std::nullopt unless the equations have this form by exact arithmetic, at a regular initial point.
@@ -37,13 +38,21 @@ private:
     explicit linear_flow(const explicit_system& system) : point_(system.point()) {}
     bool read(const explicit_system& system);
     ball elapsed(const number& time) const;
-    magnitude largest_row_sum(const number& time, long bits) const;
+    // The nonzero entries of the rows of a matrix.
+    using rows_of_balls = std::vector<std::vector<std::pair<std::size_t, ball>>>;
+    // By the matrix plus shift, whose largest row sum is `norm`, with so many bits.
+    struct series_plan {
+        magnitude shift, norm;
+        long bits;
+    };
+
+    rows_of_balls scaled_rows(const ball& gone, const magnitude& shift) const;
+    std::optional<series_plan> planned_series(const number& time, long bits) const;
     std::vector<ball> rounded_state(const number& time, long bits) const;
     std::vector<ball> by_exponential(const number& time, long bits) const;
     std::optional<std::vector<ball>> by_series(const number& time, long bits) const;
-    std::vector<ball> product(const std::vector<std::vector<ball>>& entries, const std::vector<ball>& x) const;
+    static std::vector<ball> product(const rows_of_balls& rows, const std::vector<ball>& x);
     std::vector<bool> changing(const std::vector<ball>& first_term) const;
-    bool prefers_series(const magnitude& rho, long bits) const;
     bool is_homogeneous() const;
 
     number point_;
