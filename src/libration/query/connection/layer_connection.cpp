@@ -264,8 +264,8 @@ private:
                 throw error(error_kind::undecided, error_subject::solution, "", "is not followed far enough");
             }
             const precision_scope scope(decimal_digits(bits_of_layer));
-            ball nearer = exactly(x);  // at far times u is not known from x in double
-            if (!improve(nearer)) {
+            ball nearer = exactly(x);                    // at far times u is not known from x in double
+            if (!improve(nearer) || !improve(nearer)) {  // again, for twice the digits
                 continue;
             }
             const auto here = at({nearer}, bits_of_layer, run_bits::usual_error_bits, true);
