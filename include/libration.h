@@ -259,10 +259,10 @@ void libration_problem_free(libration_problem *problem);
 /* ---- Solutions with limits at infinity. ---- */
 
 /* The numbers that conditions at infinity in the text determine, "f''' + f*f'' = 0; f(0)=0; f'(0)=0; f'(inf)=1", or "u(-inf) = 1; u(inf) = 0"
- * for an orbit between two equilibria, each digit proved: name, value. `unknowns`, "c = 0.3, f''(0)", have first guesses or none; NULL are
- * the parameters and initial values without a value. Rows after those of the unknowns are free limits, "H(inf)", rates of decay,
- * "rate 1", "rate 1 at -inf", amplitudes, "amplitude of y", and the "angle of intersection", as far as they are proved. UNDECIDED if no solution is
- * found or proved. The callback is called in integrations, with 0. */
+ * for an orbit between two equilibria, each digit proved: name, value, kind. `unknowns`, "c = 0.3, f''(0)", have first guesses or none; NULL
+ * are the parameters and initial values without a value. The kind of their rows is "unknown"; rows after them are of the kinds "limit", a free one,
+ * H(inf), "rate" of decay, rate 1, rate 1 at -inf, "amplitude", amplitude of y, and "angle" of intersection, as far as they are proved. UNDECIDED
+ * if no solution is found or proved. The callback is called in integrations, with 0. */
 int libration_find_at_infinity(const char *text, const char *unknowns, long digits, libration_watch watch,
                                void *context, libration_table **values);
 /* The same solution at times, "0, 1/2, inf", proved: time, then the unknowns and their lower derivatives. UNDECIDED with the table if a

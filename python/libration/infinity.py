@@ -16,7 +16,6 @@ class ConnectingSolution(Values):
     """The proved unknowns by name, and what the proof yields besides: at_infinity() makes it."""
 
     def __init__(self, text: str, unknowns: str, table: Table) -> None:
-        found = values_of(table)
         self._text = text
         self._unknowns = unknowns
         self.limits: dict[str, Ball] = {}  #: free limits, "H(inf)"
@@ -24,17 +23,15 @@ class ConnectingSolution(Values):
         self.amplitudes: dict[str, Ball] = {}  #: of y = y(inf) + A exp(-rate |t|) + smaller terms: "y"
         self.angle: Ball | None = None  #: at which the manifolds of the two ends intersect
         own: dict[str, Ball] = {}
-        for name, value in found.items():
-            if name.startswith("rate "):
-                self.rates[name] = value
-            elif name.startswith("amplitude of "):
+        of_kind = {"unknown": own, "limit": self.limits, "rate": self.rates}
+        for (name, value), row in zip(values_of(table).items(), table):
+            kind = row["kind"]
+            if kind == "amplitude":
                 self.amplitudes[name.removeprefix("amplitude of ")] = value
-            elif name == "angle of intersection":
+            elif kind == "angle":
                 self.angle = value
-            elif name.endswith("inf)"):
-                self.limits[name] = value
             else:
-                own[name] = value
+                of_kind[str(kind)][name] = value
         super().__init__(own)
 
     @with_progress

@@ -17,9 +17,12 @@ TEST_CASE("conditions at infinity in C", "[c][proved]") {
     REQUIRE(libration_table_rows(found.get()) == 3);
     CHECK(cell(found, 0, 0) == "y(0)");
     CHECK(cell(found, 0, 1) == "1.4142135623730950488");
+    CHECK(cell(found, 0, 2) == "unknown");
     CHECK(cell(found, 1, 0) == "rate 1");
+    CHECK(cell(found, 1, 2) == "rate");
     CHECK(cell(found, 2, 0) == "amplitude of y");
     CHECK(cell(found, 2, 1) == "2.8284271247461900976");
+    CHECK(cell(found, 2, 2) == "amplitude");
     const auto states = made<table>([&](auto** to) {
         return libration_states_at_infinity(soliton, "y(0) = 1.4", "1, inf", 20, nullptr, nullptr, to);
     });

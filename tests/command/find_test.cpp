@@ -127,6 +127,7 @@ TEST_CASE("a homoclinic orbit is found from the equilibrium near the initial val
     const auto found = run_libration(orbit + words{"--unknown", "c", "--digits", "20"});
     CHECK(found.out.find("0.33333333333333333333") != std::string::npos);
     CHECK(found.err.find("rate 1: 1.000000000000000000") != std::string::npos);
+    CHECK(found.err.find("--homoclinic: x(-inf) = 0, x(inf) = 0, y(-inf) = 0") != std::string::npos);
     check_refused(orbit, {"--unknown"});
     check_refused(orbit + words{"--unknown", "c", "--such-that", "x(1) = 2"}, {"--homoclinic", "--such-that"});
     check_refused({"find", "--problem", "x' = y; y' = x^2 - 2 + c*y; x(0) = 1.4; y(0) = 0; c = 0.32", "--homoclinic",

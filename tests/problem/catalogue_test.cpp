@@ -184,7 +184,11 @@ TEST_CASE("the catalogue has the problems it promises", "[problem][catalogue]") 
                                    "wille_baker",
                                    "food_limited",
                                    "neutral_predator_prey",
-                                   "wheldon"};
+                                   "wheldon",
+                                   "nagumo",
+                                   "korteweg_de_vries",
+                                   "poeschl_teller",
+                                   "quartic_oscillator"};
     for (const char group : std::string("abcde")) {
         for (const char which : std::string("12345")) {
             names.push_back(std::string("detest_") + group + which);
@@ -267,6 +271,10 @@ TEST_CASE("published values come out", "[problem][catalogue]") {
         {"lane_emden", {"n = 4"}, "14.97154634883809509761", "y", 0, "0", "1e-20"},
         {"thomas_fermi", {}, "10", "y", 0, "0.0243143", "5e-8"},
         {"meniscus", {}, "5", "h", 0, "0.00552425431544597607529", "1e-20"},  // from its closed form
+        {"nagumo", {"a = 1/3"}, "1", "u", 0, "0.3302384506733430743832", "1e-18"},    // 1/(1 + exp(1/sqrt 2))
+        {"korteweg_de_vries", {}, "1", "u", 0, "0.8399486832280521387890", "1e-18"},  // 2 sech(1)^2
+        {"poeschl_teller", {}, "1", "psi", 0, "0.4199743416140260694945", "1e-18"},   // sech(1)^2
+        {"quartic_oscillator", {}, "4", "psi", 0, "1.6277952867487e-10", "1e-22"},    // mpmath, 80 digits
         {"van_der_pol", amplitude, "6.66328685932313018969", "x", 0, "2.008619860874843136509", "1e-19"},
         {"van_der_pol", amplitude, "6.66328685932313018969", "x", 1, "0", "1e-19"},
         {"lorenz", orbit, "1.55865221071617472756", "x", 0, "-13.76361068213420052501", "1e-17"},

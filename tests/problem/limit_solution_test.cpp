@@ -7,6 +7,8 @@
 
 #include "libration/equation/text/limit_condition.hpp"
 #include "libration/equation/text/parse.hpp"
+#include "libration/problem/catalogue.hpp"
+#include "libration/problem/find.hpp"
 #include "libration/scalar/error.hpp"
 
 namespace problem_limit_solution_test {
@@ -55,6 +57,19 @@ TEST_CASE("a soliton at finite times, at a late one and at infinity", "[problem]
     CHECK(note_named(found, "y(0)") == "1.41421356237309504880168872421");
     CHECK_FALSE(found.missing);
     CHECK_THROWS_AS(soliton.states(times_of({"-inf"}), {}, proved_digits(10)), error);
+}
+
+// (1 - 2 a)/sqrt 2, c/2, -1 of l = 1, and E_0 of x^4 as in eigenvalues.csv.
+TEST_CASE("fronts, solitons and wells of the catalogue", "[problem][proved]") {
+    const auto found = [](const std::string& name, const std::string& change, const std::string& unknown,
+                          const std::vector<std::string>& limits) {
+        const problem of(ode::changed(ode::parse(problem_text(name)), change));
+        return find_unknowns(of, {unknown}, limits, proved_digits(20)).at(0, "value");
+    };
+    CHECK(found("nagumo", "a = 1/10", "c", {"u(-inf) = 1", "u(inf) = 0"}) == "0.56568542494923801952");
+    CHECK(found("korteweg_de_vries", "c = 3", "u(0)", {"u(inf) = 0"}) == "1.5000000000000000000");
+    CHECK(found("poeschl_teller", "l = 1", "E", {"psi(inf) = 0"}) == "-1.0000000000000000000");
+    CHECK(found("quartic_oscillator", "E = 1", "E", {"psi(inf) = 0"}) == "1.0603620904841828996");
 }
 
 // f'(1) by Taylor series in mpmath with f''(0) = 0.46959998836101330450653365344758845872133407845029.

@@ -40,8 +40,8 @@ public:
     /// The unknowns and their lower derivatives; of an orbit with limits at both ends those that have limits.
     const std::vector<std::string>& quantities() const { return quantities_; }
 
-    /// name, value of the unknowns, then of the numbers of numbers_at_infinity(), with as many digits as are proved. The notes are those of
-    /// find_unknowns().
+    /// name, value, kind of the unknowns, of the kind "unknown", then of the numbers of numbers_at_infinity(), with as many digits as are
+    /// proved. The notes are those of find_unknowns().
     answer unknowns(const request& how) const;
 
     /// The quantities at times in any order, of which the texts "inf" and "-inf" are the limits, each digit proved; then the numbers of `shown`

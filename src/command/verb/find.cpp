@@ -213,6 +213,7 @@ int run_find(find_options options) {
         }
         const auto limits = homoclinic_conditions(near);
         options.conditions.insert(options.conditions.end(), limits.begin(), limits.end());
+        say_line(fmt::format("--homoclinic: {}", fmt::join(limits, ", ")));
     }
     progress shown("find", guesses.size());
     const request how{.scalar = {scalar_kind::proved, digits},

@@ -56,6 +56,9 @@ libration_table table_of_values(const answer& found) {
     for (const auto& row : found.rows) {
         table.add(row[0].text);
         table.add(number_of(row[1], found.rigour));
+        for (std::size_t j = 2; j < row.size(); ++j) {
+            table.add(row[j].text);
+        }
     }
     return table;
 }

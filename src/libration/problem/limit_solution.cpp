@@ -142,18 +142,18 @@ answer limit_solution::unknowns(const request& how) const {
     const long digits = how.printed_digits();
     const found_limits found = find_limits(of_, digits + digits_of_first_attempt, {}, how);
     const precision_scope scope(digits + digits_of_first_attempt + digits_beyond_enclosure);
-    answer result{.names = {"name", "value"}, .rows = {}, .rigour = "proved", .notes = found.notes};
-    const auto add = [&](const std::string& name, const proved_decimal& value) {
+    answer result{.names = {"name", "value", "kind"}, .rows = {}, .rigour = "proved", .notes = found.notes};
+    const auto add = [&](const std::string& name, const proved_decimal& value, const std::string& kind) {
         const ball enclosed = enclosure_of(value);
         const auto shorter =
             to_proved_decimal(enclosed, std::max(1L, std::min(digits, proved_digits(enclosed, digits))));
-        result.rows.push_back({text_value(name), value_in_answer({shorter.value_or(value), ""})});
+        result.rows.push_back({text_value(name), value_in_answer({shorter.value_or(value), ""}), text_value(kind)});
     };
     for (std::size_t i = 0; i < of_.unknowns.size(); ++i) {
-        add(of_.unknowns[i], found.connection.values[i]);
+        add(of_.unknowns[i], found.connection.values[i], "unknown");
     }
     for (const ode::connection_number& each : found.connection.more) {
-        add(each.name, each.value);
+        add(each.name, each.value, each.kind);
     }
     return result;
 }

@@ -171,6 +171,10 @@ TEST_CASE("boundary layers", "[ode][proved]") {
     CHECK(connected(hartree + " exponentially", {"f''(0)=0.3"}, 38).values[0].text ==
           "0.31926975984254337011894020350357322835");
     CHECK(connected(hartree + " exponentially", {"f''(0)=-0.14"}, 5).values[0].text == "-0.14055");
+    // A magnetic field: 2.34666261 by solve_bvp of scipy.
+    CHECK(connected("f''' + f*f'' + 1 - f'^2 + 4*(1-f') = 0; f(0) = 0; f'(0) = 0; f'(inf) = 1", {"f''(0)"}, 8)
+              .values[0]
+              .text == "2.3466626");
     CHECK_THROWS_WITH(connected(hartree, {"f''(0)=0.3"}, 5), Catch::Contains("exponentially"));
     CHECK(
         connected("f''' + f*f'' + (1 - f'^2)/2 = 0; f(0) = 0; f'(0) = 0; f'(inf) = 1", {"f''(0)"}, 38).values[0].text ==

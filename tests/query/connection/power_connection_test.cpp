@@ -27,6 +27,15 @@ bool has_slope(const connection& of, const ball& number, long digits) {
 
 }  // namespace
 
+// t*y'/y -> -1 requires t^2 y^2 -> -2.
+TEST_CASE("powers of the wrong sign are no decay", "[ode][proved]") {
+    CHECK_THROWS_WITH(decaying("y'' = -y^3; y(0) = 1; y(inf) = 0", "y'(0)", 20),
+                      Catch::Contains("without a direction of exponential decay"));
+    const precision_scope scope(60);
+    // t*y'/y -> -2 and t^2 y -> -6 with y < 0.
+    CHECK(has_slope(decaying("y'' = -y^2; y(0) = -1; y(inf) = 0", "y'(0)=0.8", 25), sqrt(ball(2) / 3), 25));
+}
+
 // y'^2/2 is the integral of the right-hand side from 0 to y.
 TEST_CASE("autonomous equations whose solutions decay like a power", "[ode][proved]") {
     const precision_scope scope(60);

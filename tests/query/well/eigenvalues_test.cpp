@@ -62,6 +62,10 @@ std::string refusal(const std::string& text) {
 TEST_CASE("eigenvalues on the line in closed form", "[ode][proved]") {
     require_values(on_line("x^2", 4, 40), {1, 3, 5, 7}, 40);
     require_values(on_line("(x-1/3)^2", 3, 30), {1, 3, 5}, 30);
+    // Wide, narrow and far.
+    require_values(on_line("x^2/10^12", 2, 20), {rational(1, 1000000), rational(3, 1000000)}, 20);
+    require_values(on_line("10^12*x^2", 2, 20), {1000000, 3000000}, 20);
+    require_values(on_line("(x-1000)^2", 2, 20), {1, 3}, 20);
     // -l (l + 1) sech^2: -(l - n)^2, and Morse's well: -(a - n - 1/2)^2 for exp(-2 x) - 2 a exp(-x).
     require_values(on_line("-6*sech(x)^2", 2, 40), {-4, -1}, 40);
     require_values(on_line("-3/4*sech(x)^2", 1, 20), {rational(-1, 4)}, 20);
@@ -80,6 +84,10 @@ TEST_CASE("eigenvalues on half-lines and intervals", "[ode][proved]") {
                    {-1, rational(-1, 4), rational(-1, 9)}, 30);
     require_values(found("psi'' = (x^2 - E)*psi; psi(0) = 0; psi(inf) = 0", 2, 30), {3, 7}, 30);
     require_values(found("psi'' = (x^2 - E)*psi; psi'(0) = 0; psi(-inf) = 0", 2, 30), {1, 5}, 30);
+    // 1.39787564, 3.47508655: finite differences on two grids, extrapolated.
+    const auto linear = found("psi'' = (x - 1/x - E)*psi; psi(0) = 0; psi(inf) = 0", 2, 8);
+    CHECK(linear.values[0].value.decimal->text == "1.3978756");
+    CHECK(linear.values[1].value.decimal->text == "3.4750865");
     const precision_scope scope(60);
     const auto airy = found("psi'' = (x - E)*psi; psi(0) = 0; psi(inf) = 0", 3, 30);
     for (long n = 0; n < 3; ++n) {

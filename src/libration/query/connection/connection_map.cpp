@@ -218,6 +218,9 @@ std::vector<ball> connection_map::theta_at_start(const std::vector<ball>& x) con
 }
 
 std::optional<connection_map::start> connection_map::start_on_manifold(const std::vector<ball>& x, long bits) const {
+    if (left_->variables() == 0) {
+        return std::nullopt;  // for these numbers no solution leaves the equilibrium
+    }
     const std::size_t first = numbers() + left_coordinates();
     const std::size_t angle = numbers() + coordinates();
     const auto theta = theta_at_start(x);

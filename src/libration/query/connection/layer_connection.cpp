@@ -32,6 +32,7 @@ constexpr double lower_side = 0.3;
 constexpr double least_digits_of_layer = 9;
 constexpr double more_digits_of_layer = 15;
 constexpr int most_layers = 5;
+constexpr int log2_of_least_contraction = 2;
 constexpr long least_digits_of_time = 18;
 constexpr double most_growth = 100;
 constexpr double large_argument = 12;
@@ -263,14 +264,38 @@ private:
                 throw error(error_kind::undecided, error_subject::solution, "", "is not followed far enough");
             }
             const precision_scope scope(decimal_digits(bits_of_layer));
-            if (at({exactly(x)}, bits_of_layer, run_bits::usual_error_bits, true)) {
-                break;
+            ball nearer = exactly(x);                    // at far times u is not known from x in double
+            if (!improve(nearer) || !improve(nearer)) {  // again, for twice the digits
+                continue;
+            }
+            const auto here = at({nearer}, bits_of_layer, run_bits::usual_error_bits, true);
+            if (here && contracts(*here) && is_followed(nearer, *here)) {
+                return described(nearer);
             }
         }
+        throw error(error_kind::undecided, error_subject::solution, "",
+                    "is not proved to tend to the limit at any time up to t = " + to_decimal(mpfr(time_), 6));
+    }
+
+    // Whether the slope of F is known so well that Krawczyk's test can hold.
+    static bool contracts(const enclosed_map& here) {
+        const ball& slope = here.derivative.front().front();
+        return magnitude::radius_of(slope).shifted(log2_of_least_contraction) < magnitude::below(slope);
+    }
+
+    // Whether a box that contains the zeros reaches the far time, which no precision decides.
+    bool is_followed(const ball& x, const enclosed_map& here) const {
+        const magnitude reach = magnitude(here.value.front()) / magnitude::below(here.derivative.front().front());
+        const auto box = at({widened(x, reach.shifted(1))}, bits_of_layer + 4 * question_.digits,
+                            2 * run_bits::usual_error_bits, true);
+        return box && contracts(*box);
+    }
+
+    connection described(const ball& x) const {
         connection result;
         result.values = proved_root(
             [&](const std::vector<ball>& box, long bits, long error_bits) { return at(box, bits, error_bits, true); },
-            {exactly(x)}, question_.digits, question_.unknowns);
+            {x}, question_.digits, question_.unknowns);
         const std::string& name = question_.unknowns.front();
         const bool said = question_.limits.front().exponentially;
         result.proved = "one " + name + " within these digits for which " + question_.limits.front().text +

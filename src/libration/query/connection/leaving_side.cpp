@@ -122,9 +122,9 @@ private:
                     break;
                 }
                 first = k == 0 ? distance : first;
+                nearest = distance > largest ? distance : std::min(nearest, distance);  // after the largest distance
                 largest = std::max(largest, distance);
-                nearest = std::min(nearest, distance);
-                found = exit{along > 0 ? 1 : -1, nearest};
+                found = exit{along > 0 ? 1 : -1, std::min(found.nearest, distance)};
                 if (distance > far_from_equilibrium * (1 + first) ||
                     (nearest < part_of_approach * largest && distance > part_of_leaving * nearest)) {
                     break;

@@ -92,6 +92,21 @@ expression limit_for(const power_equation& of) {
     return sum / raised_to(rest, of.terms[of.leading].slope);
 }
 
+bool is_certainly_positive(const expression& e) {
+    if (!e.is_constant() || e.has_parameters()) {
+        return false;
+    }
+    const precision_scope scope(decimal_digits(bits_of_power_equation));
+    return arb_is_positive(number_in(e).handle()) != 0;
+}
+
+// Whether c t^w y^q cannot have this limit, because y^q > 0.
+bool has_other_sign(const power_term& term, const expression& limit) {
+    const rational q = term.weight_of_value();
+    const bool is_odd = denominator(q) == 1 && numerator(q) % 2 != 0;
+    return !is_odd && is_certainly_positive(-term.factor * limit);
+}
+
 // Whether all other terms become small compared with this one, or stay in proportion by constant factors.
 bool is_leading(power_equation& of, std::size_t i) {
     const power_term& first = of.terms[i];
@@ -110,15 +125,7 @@ bool is_leading(power_equation& of, std::size_t i) {
         }
     }
     of.limit = limit_for(of);
-    return !is_identically_zero(of.limit);
-}
-
-bool is_certainly_positive(const expression& e) {
-    if (!e.is_constant() || e.has_parameters()) {
-        return false;
-    }
-    const precision_scope scope(decimal_digits(bits_of_power_equation));
-    return arb_is_positive(number_in(e).handle()) != 0;
+    return !is_identically_zero(of.limit) && !has_other_sign(first, of.limit);
 }
 
 }  // namespace

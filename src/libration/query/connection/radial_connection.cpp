@@ -1,6 +1,7 @@
 #include "radial_connection.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -40,6 +41,7 @@ constexpr long digits_beyond_radial = 5;
 constexpr int most_blocks = 8;
 constexpr int log2_of_next_block = 6;
 constexpr double far_time_step = 3;
+constexpr std::array large_first_guesses{15., 22., 32., 50., 80., 120.};  // of centres; as with high powers
 
 class radial_search {
 public:
@@ -122,8 +124,10 @@ private:
 
     std::vector<double> guesses() {
         const double given = nearest_doubles(far_.open().values).front();
-        const auto around =
-            question_.open.empty() ? guesses_around(given, first_part_of_radial, 1) : signed_first_guesses();
+        auto around = question_.open.empty() ? guesses_around(given, first_part_of_radial, 1) : signed_first_guesses();
+        if (!question_.open.empty()) {
+            around.insert(around.end(), large_first_guesses.begin(), large_first_guesses.end());
+        }
         const double limit = as_double(equation_.at_infinity().limit);
         std::vector<double> found;
         if (choose_start(given)) {
@@ -181,6 +185,13 @@ private:
         return certainly_less(graph_->eps.exact(), abs(slope_at(here)) * abs(x) * digits);
     }
 
+    // Between integrations, which call it too.
+    void seen(long bits) const {
+        if (watch_) {
+            watch_(exactly(time_), bits);
+        }
+    }
+
     // The block about the solution at the far time: one for all numbers x.
     bool prove_graph(const ball& x, long bits) {
         const precision_scope scope(decimal_digits(bits));
@@ -191,6 +202,7 @@ private:
         const magnitude w(here->values[2]);
         const magnitude s(graph_->place_of(here->values[0], here->values[1], here->values[2]).s);
         for (int k = 0; k < most_blocks; ++k) {
+            seen(bits);
             const auto found = proved_saddle_graph(equation_.at_infinity(), *graph_, w + w.shifted(-log2_of_room),
                                                    s.shifted(1 + k * log2_of_next_block));
             if (found) {
@@ -204,6 +216,7 @@ private:
 
     void choose_time(double time, long bits) {
         const precision_scope scope(decimal_digits(bits));
+        seen(bits);
         time_ = std::ceil(time * 8) / 8;
         is_proved_ = false;
         graph_ = formal_saddle_graph(equation_.at_infinity(),

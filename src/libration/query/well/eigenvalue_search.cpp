@@ -67,22 +67,22 @@ long eigenvalue_search::below(ball& e) {
 
 bool eigenvalue_search::has(long count) {
     const precision_scope scope(decimal_digits(first_bits));
+    const auto [least, size] = of_.bottom();
     if (known_.empty() || known_.begin()->second > 0) {
-        const double least = of_.least_potential();
-        ball e = exactly(std::isfinite(least) ? least - 1 : 0);
+        ball e = exactly(std::isfinite(least) ? least - size : 0);
         if (const auto top = of_.continuum()) {
             const ball end = from_rational<ball>(*top);
             e = certainly_less(e, end) ? e : exact_midpoint(end - 1);
         }
         const ball first = e;
         for (int k = 0; below(e) > 0 && k < most_doublings; ++k) {
-            e = exact_midpoint(first - ldexp(ball(1), k));
+            e = exact_midpoint(first - ldexp(exactly(size), k));
         }
     }
     const ball first = known_.begin()->first;
     const auto top = of_.continuum();
     for (int k = 0; known_.rbegin()->second < count && !complete_; ++k) {
-        ball e = exact_midpoint(first + ldexp(ball(1), k));
+        ball e = exact_midpoint(first + ldexp(exactly(size), k));
         if (top) {
             const ball end = from_rational<ball>(*top);
             e = exact_midpoint(end - ldexp(end - first, -2 * (k + 1)));

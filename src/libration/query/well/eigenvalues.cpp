@@ -102,16 +102,23 @@ rational point_between(const well_equation& of, const well_ends& ends, const wel
     bool ordinary = !is_pole(of, best);
     double least = side.potential_near(best.convert_to<double>());
     const double middle = best.convert_to<double>();
-    for (double s = 1. / 64; s < widest_sample; s *= 1.125) {
-        for (const double distance : {-s, s}) {
-            const double each = std::round((middle + distance) * 64) / 64;
-            const double v = side.potential_near(each);
-            if (each > a && each < b && std::isfinite(v) && (!ordinary || v < least)) {
-                best = rational(std::lround(each * 64), 64);
-                least = v;
-                ordinary = true;
-            }
+    const auto seen = [&](double near) {
+        const double each = std::round(near * 64) / 64;
+        const double v = side.potential_near(each);
+        if (each > a && each < b && std::isfinite(v) && (!ordinary || v < least)) {
+            best = rational(std::lround(each * 64), 64);
+            least = v;
+            ordinary = true;
         }
+    };
+    for (double s = 1. / 64; s < widest_sample; s *= 1.125) {
+        seen(middle - s);
+        seen(middle + s);
+    }
+    for (double s = std::fabs(best.convert_to<double>() - middle); s >= 1. / 64; s /= 2) {
+        const auto here = best.convert_to<double>();
+        seen(here - s);
+        seen(here + s);
     }
     return ordinary ? best : rational((*ends.left->point + *ends.right->point) / 2);
 }

@@ -1,6 +1,7 @@
 #include "well_problem.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
@@ -13,6 +14,8 @@ namespace {
 constexpr double nearest_sample = 1. / 64;
 constexpr double farthest_sample = 1000;
 constexpr double factor_of_samples = 1.25;
+constexpr double nearest_part = 1e-9;
+constexpr int largest_log2_of_size = 100;
 
 // s of x, as an exact number: m is a dyadic fraction, or x = 0.
 ball place_of(const well_equation& of, const rational& x) { return of.exponential ? ball(1) : from_rational<ball>(x); }
@@ -48,12 +51,14 @@ well_problem::well_problem(const well_equation& of, const well_end& left, const 
     }
 }
 
-double well_problem::least_potential() const {
-    double least = INFINITY;
+well_problem::bottom_of_well well_problem::bottom() const {
+    bottom_of_well result;
+    double place = 0;
     const auto seen = [&](double s) {
         const double v = right_.potential_near(s);
-        if (s > first_ && s < last_ && std::isfinite(v)) {
-            least = std::min(least, v);
+        if (s >= first_ && s <= last_ && std::isfinite(v) && v < result.least) {
+            result.least = v;
+            place = s;
         }
     };
     const double middle = std::isfinite(first_) ? first_ : std::isfinite(last_) ? last_ : 0;
@@ -62,7 +67,33 @@ double well_problem::least_potential() const {
         seen(middle - distance);
         seen(middle + distance);
     }
-    return least;
+    const double first = std::fabs(place - middle);  // at the nearest one a pole may be nearer
+    for (double near = first; first > nearest_sample && near > first * nearest_part; near /= 2) {
+        const double here = place;
+        seen(here - near);
+        seen(here + near);
+    }
+    // Where V has risen by s within 1/sqrt(s).
+    const auto contains = [&](double size) {
+        bool any = false;
+        for (const double s : {place - 1 / std::sqrt(size), place + 1 / std::sqrt(size)}) {
+            const double rise = right_.potential_near(s) - result.least;
+            any = any || (s > first_ && s < last_ && rise <= size);
+            if (s > first_ && s < last_ && !(rise <= size)) {
+                return false;
+            }
+        }
+        return any;
+    };
+    if (right_.is_in_x() && std::isfinite(result.least)) {
+        const auto sized = [](int exponent) { return std::ldexp(1., exponent); };
+        int exponent = largest_log2_of_size;
+        while (exponent > -largest_log2_of_size && contains(sized(exponent - 1))) {
+            --exponent;
+        }
+        result.size = exponent == largest_log2_of_size ? 1 : sized(exponent);
+    }
+    return result;
 }
 
 std::optional<well_problem::both_states> well_problem::states(const ball& e, bool counts_zeros) const {

@@ -20,8 +20,12 @@ public:
     /// ends: its sign is that of (-1)^n, n the number of eigenvalues below E.
     std::optional<ball> wronskian(const ball& e) const;
     std::optional<rational> continuum() const;
-    /// The least of some values of V between the ends.
-    double least_potential() const;
+    /// The least of some values of V between the ends, and the least power of 2, s, such that V rises by at most s within 1/sqrt(s) of that
+    /// place, about the distance of eigenvalues; 1 where V is a function of exp(r x).
+    struct bottom_of_well {
+        double least = INFINITY, size = 1;
+    };
+    bottom_of_well bottom() const;
 
 private:
     struct both_states {

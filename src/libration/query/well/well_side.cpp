@@ -16,7 +16,7 @@ namespace libration::ode {
 
 namespace {
 
-constexpr long first_quarters = -12;
+constexpr long first_quarters = -160;
 constexpr long last_quarters = 160;
 constexpr int most_far_steps = 100'000;
 constexpr int most_doublings_of_far = 12;

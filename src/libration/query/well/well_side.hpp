@@ -46,6 +46,8 @@ public:
     std::optional<rational> continuum() const;
     /// V at a point s, roughly.
     double potential_near(double s) const;
+    /// Whether s = x.
+    bool is_in_x() const { return !well_.exponential; }
 
 private:
     struct quotient_at {
