@@ -23,7 +23,7 @@ if (equation ne '') {
     # With --prove: the radius of the law, and the roots that it predicts.
     eval column_in(main, 'proved_radius')
     if (has_column) {
-        layers = by_hue('proved_radius', "has('proved_radius')", "lines lw 2 lc rgb cases < 2 ? '#D55E00' : tone(h)").', '.layers \
+        layers = layers.', '.by_hue('proved_radius', "has('proved_radius')", "lines lw 2 lc rgb cases < 2 ? '#D55E00' : tone(h)") \
             .', '.by_hue('law_root', "has('law_root')", 'points pt 6 ps 1.1 lc rgb tone(h)')
         key = key.', '.key_entry("lines lw 2 lc rgb '#D55E00'", "'proved radius'").', '.key_entry('points pt 6 ps 1.1 lc rgb soft', "'root by the law alone'")
         entries = entries + 2

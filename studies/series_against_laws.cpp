@@ -16,14 +16,14 @@ namespace {
 
 constexpr long proved_digits_of_truth = 25;
 
-// A problem, and the unknown whose coefficients are judged.
-struct judged_problem {
+// A problem, and the unknown whose coefficients are tested.
+struct tested_problem {
     const char* name;
     const char* text;
     const char* show;
 };
 
-constexpr std::array<judged_problem, 16> problems{{
+constexpr std::array<tested_problem, 16> problems{{
     {"tangent", "y' = 1 + y^2; y(0) = 0", "y"},
     {"riccati", "y' = 1 + t - y + 2*y^2; y(0) = 1/2", "y"},
     {"airy_riccati", "y' = t + y^2; y(0) = 0", "y"},
@@ -42,9 +42,9 @@ constexpr std::array<judged_problem, 16> problems{{
     {"lotka_volterra", "x' = x - x*y; y' = x*y - y; x(0) = 2; y(0) = 1", "x"},
 }};
 
-const judged_problem* problem_of(const std::string& name) {
+const tested_problem* problem_of(const std::string& name) {
     const auto* const found =
-        std::ranges::find_if(problems, [&](const judged_problem& each) { return name == each.name; });
+        std::ranges::find_if(problems, [&](const tested_problem& each) { return name == each.name; });
     return found == problems.end() ? nullptr : found;
 }
 
@@ -55,7 +55,7 @@ struct proved_truth {
     int count = 0;
 };
 
-proved_truth truth_of(const ode::explicit_system& system, const judged_problem& of) {
+proved_truth truth_of(const ode::explicit_system& system, const tested_problem& of) {
     const proved_law law(system, {.show = of.show}, proved_digits(proved_digits_of_truth));
     proved_truth result;
     if (const auto radius = law.radius(proved_digits_of_truth).decimal) {
@@ -75,8 +75,8 @@ proved_truth truth_of(const ode::explicit_system& system, const judged_problem& 
     return result;
 }
 
-struct judged_row {
-    const judged_problem* of;
+struct tested_row {
+    const tested_problem* of;
     answered_list found;
     proved_truth truth;
 
@@ -92,8 +92,8 @@ struct judged_row {
     }
 };
 
-const column_list<judged_row>& columns() {
-    using row = judged_row;
+const column_list<tested_row>& columns() {
+    using row = tested_row;
     constexpr int few = 3;
     const auto part_of_radius = [](const row& r, const std::optional<mpfr>& x) {
         return x && r.truth.radius ? decimal_cell(mpfr(*x / *r.truth.radius), few) : cell();
@@ -131,7 +131,7 @@ const column_list<judged_row>& columns() {
          [](const row& r) { return r.found.found.count; }},
         {"proved_count", "those at the least distance (proved)", [](const row& r) { return r.truth.count; }},
         {"equation", "with initial values", [](const row& r) { return without_commas(r.of->text); }},
-        {"unknown", "whose coefficients are judged", [](const row& r) { return r.of->show; }},
+        {"unknown", "whose coefficients are tested", [](const row& r) { return r.of->show; }},
     };
     return all;
 }
@@ -156,8 +156,8 @@ const problem_family& problems_as_family() {
     return result;
 }
 
-std::vector<judged_problem> chosen_of(const std::vector<exact>& words) {
-    std::vector<judged_problem> chosen;
+std::vector<tested_problem> chosen_of(const std::vector<exact>& words) {
+    std::vector<tested_problem> chosen;
     for (const exact& word : words) {
         if (word.text == "all") {
             chosen.insert(chosen.end(), problems.begin(), problems.end());
@@ -168,12 +168,12 @@ std::vector<judged_problem> chosen_of(const std::vector<exact>& words) {
     return chosen;
 }
 
-std::vector<judged_row> rows_of(const judged_problem& of, const std::vector<int>& orders, const scalar_spec& scalar) {
+std::vector<tested_row> rows_of(const tested_problem& of, const std::vector<int>& orders, const scalar_spec& scalar) {
     const ode::explicit_system system(ode::parse(of.text));
     const proved_truth truth = truth_of(system, of);
     const precision_scope scope(scalar.digits + guard_of_lists);
     const auto lists = lists_about_start(system, orders.back(), scalar.digits + guard_of_lists);
-    std::vector<judged_row> rows;
+    std::vector<tested_row> rows;
     for (std::size_t i = 0; i < system.unknowns().size(); ++i) {
         if (system.unknowns()[i].name == of.show) {
             for (const int order : orders) {
@@ -212,7 +212,7 @@ const study& series_against_laws() {
         .question = "How far is the verdict on coefficients from the proved law of all of them?",
         .reading =
             "Coefficients of solutions whose law is proved: radius, exponent and kind of the nearest singularities are "
-            "theorems. The verdict sees the first N + 1 coefficients alone. Filled marks are its true error, empty "
+            "theorems. The verdict is from the first N + 1 coefficients alone. Filled marks are its true error, empty "
             "ones "
             "the uncertainty that it states; a filled mark to the right of the empty one is a wrong statement.",
         .of = &problems_as_family(),

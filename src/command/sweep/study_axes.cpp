@@ -75,7 +75,7 @@ const std::vector<axis>& study_axes() {
                                         .largest = largest_number_of_lists},
                                        {.name = "prove",
                                         .option = "--prove",
-                                        .help = "proves the law of all coefficients, and prints it beside them",
+                                        .help = "proves the law of all coefficients, and prints it with them",
                                         .forms = "without an argument",
                                         .form = axis_form::words,
                                         .remedy = "write --prove without an argument",

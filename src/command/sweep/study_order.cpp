@@ -20,7 +20,7 @@ namespace {
 constexpr const char* scalar_option = "--scalar";
 constexpr std::string_view typed_ending = "_typed";
 
-// An axis of the word "yes", which its option stands for.
+// An axis whose option has no argument, with the single value "yes".
 bool takes_no_argument(const axis& along) { return along.option == "--prove"; }
 
 // The items of an axis; for an axis of words, the words between commas.
