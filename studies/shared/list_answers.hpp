@@ -265,15 +265,18 @@ study_plan plan_of_lists(const study_request& request, const char* too_short, co
         [sweep, orders, scalar, &columns, rows, shown, proves = proves_law(request)](std::size_t i) {
             const precision_scope scope(scalar.digits + guard_of_lists);
             const auto system = sweep->system(i);
+            std::vector<proved_law> laws;  // first, so that a problem without one is refused at once
+            for (const int unknown : proves ? sweep->unknowns() : std::vector<int>{}) {
+                laws.push_back(law_of_unknown(system, sweep->name_of(unknown), scalar.digits));
+            }
             const auto lists = lists_about_start(system, orders.back(), scalar.digits + guard_of_lists);
             const auto answers = answers_to(lists, *sweep, orders, scalar, shown);
             std::vector<Row> all;
-            for (const int unknown : sweep->unknowns()) {
+            for (std::size_t k = 0; k < sweep->unknowns().size(); ++k) {
+                const int unknown = sweep->unknowns()[k];
                 const auto& list = lists[static_cast<std::size_t>(unknown)].coefficients();
-                const std::string& name = sweep->name_of(unknown);
-                const auto law = proves ? std::optional(law_of_unknown(system, name, scalar.digits)) : std::nullopt;
-                const auto own =
-                    rows({list, lists.front().lists.root, name, scalar.digits, answers, law ? &*law : nullptr});
+                const auto own = rows({list, lists.front().lists.root, sweep->name_of(unknown), scalar.digits, answers,
+                                       proves ? &laws[k] : nullptr});
                 all.insert(all.end(), own.begin(), own.end());
             }
             return std::vector<table>{make_table(columns, all), make_table(answered_columns(), answers)};
