@@ -17,7 +17,7 @@
  * pthread_cancel during a call.
  *
  * Threads. Precision is an argument; no state is shared. Functions may be called from any number of threads, also with
- * the same motion, problem, sampler, table or number, which no call changes; of calls with the same solution one waits
+ * the same motion, problem, sampler, table or number, which no call changes; of calls with the same solution, and with the same law, one waits
  * for the other. The caller is responsible for freeing. For
  * each calling thread another thread computes while the caller waits, from its first call until it ends, with signals
  * blocked and floating point in its default mode; MPFR's settings and flags of the calling thread are neither read nor
@@ -53,6 +53,7 @@ typedef struct libration_table libration_table;
 typedef struct libration_motion libration_motion;
 typedef struct libration_problem libration_problem;
 typedef struct libration_solution libration_solution;
+typedef struct libration_law libration_law;
 typedef struct libration_sampler libration_sampler;
 typedef struct libration_steps libration_steps;
 
@@ -303,6 +304,30 @@ int libration_solution_event_certificate(libration_solution *solution, const cha
  * none. */
 size_t libration_solution_steps(const libration_solution *solution);
 void libration_solution_free(libration_solution *solution);
+
+/* ---- The law of all Taylor coefficients of a solution. ---- */
+
+/* Proves the law of the coefficients a_n of (t - t0)^n of an unknown or a derivative, "y" or "th'", NULL for the first unknown: all
+ * singularities in |t - t0| <= RHO and what each contributes to every a_n with n >= first, and a bound of the rest. `within` is RHO, NULL for one between the
+ * nearest singularities. UNDECIDED with the reason if no law is proved. The callback is called in the proof, with 0. The problem may be freed. */
+int libration_law_new(const libration_problem *problem, const char *show, const char *within, libration_watch watch,
+                      void *context, libration_law **law);
+/* RHO, n0 = first, and the stride p: a_n = 0 by symmetry unless n = residue mod p. 0 for NULL. */
+double libration_law_rho(const libration_law *law);
+long libration_law_first(const libration_law *law);
+long libration_law_stride(const libration_law *law);
+long libration_law_residue(const libration_law *law);
+/* A row for each singularity, proved: position_re, position_im, modulus, kind, exponent, coefficient_re, coefficient_im; the
+ * coefficient is that of (t - t*)^exponent or log(t - t*), at branch points and singular points of linear equations of x^exponent log(x)^m, x = 1 - (t - t0)/(t* - t0). A
+ * number that is not distinguished from 0 is 0 as in libration_problem_known_states. */
+int libration_law_singularities(const libration_law *law, long digits, libration_table **singularities);
+/* a_n, and a_n/a_(n-p), proved, without the ones before: by the law where it gives the digits, else by the recurrence up to n = 20000.
+ * UNDECIDED if neither does; ARGUMENT for the ratio of coefficients that are 0 by symmetry, and for n < p. */
+int libration_law_coefficient(const libration_law *law, long n, long digits, libration_number **coefficient);
+int libration_law_ratio(const libration_law *law, long n, long digits, libration_number **ratio);
+/* The law as a formula, its error and what is proved: name (law, error, proved) and text. */
+int libration_law_words(const libration_law *law, libration_table **words);
+void libration_law_free(libration_law *law);
 
 /* Solutions in double precision by Taylor series, an error of some units in the last place of max(1, largest |value|) per
  * step, amplified by the equations; nothing is proved. `starts` has the state at time `begin`, in the order of the names,

@@ -20,10 +20,12 @@ struct ratio_row {
     std::optional<mpfr> scaled;
     mpfr unit;  // u^p
     long digits;
-    std::string unknown = {};          // of an equation
-    std::optional<int> limit = {};     // of the pendulum
-    const sweep_energy* at = nullptr;  // of the pendulum
-    const exact* point = nullptr;      // of the pendulum
+    std::string unknown = {};           // of an equation
+    std::optional<int> limit = {};      // of the pendulum
+    const sweep_energy* at = nullptr;   // of the pendulum
+    const exact* point = nullptr;       // of the pendulum
+    std::optional<law_ratio> law = {};  // with --prove
+    known_value proved_limit = {};
 
     std::optional<mpfr> ratio() const { return scaled ? std::optional(mpfr(*scaled / unit)) : std::nullopt; }
 };
@@ -54,6 +56,16 @@ const column_list<ratio_row>& columns() {
          }},
         gap_column<row>(),
         unknown_column<row>(),
+        {"law_ratio", "a_n/a_(n-p) by the law of all coefficients alone (proved); empty below its first n",
+         [](const row& r) { return r.law ? value_cell(r.law->ratio) : cell(); }},
+        {"law_error", "a bound of the distance of the ratio from law_ratio (proved)",
+         [](const row& r) { return r.law ? bound_cell(r.law->ratio) : cell(); }},
+        {"proved_limit", "of the ratios (proved); empty if none is proved, as where a pair of singularities is nearest",
+         [](const row& r) { return value_cell(r.proved_limit); }},
+        {"proved_line", "proved_limit (1 - p (1 + exponent)/n) with the proved exponent",
+         [](const row& r) { return r.law ? value_cell(r.law->line) : cell(); }},
+        {"deviation", "a bound of |ratio - proved_line| at this n (proved)",
+         [](const row& r) { return r.law ? number_cell(r.law->deviation) : cell(); }},
     });
     return all;
 }
@@ -255,6 +267,12 @@ const column_list<ratio_row>& ratio_columns() {
     return all;
 }
 
+const column_list<ratio_row>& ratio_columns_with_law() {
+    static const auto all =
+        joined(ratio_columns(), columns_named("law_ratio,law_error,proved_limit,proved_line,deviation", columns()));
+    return all;
+}
+
 // The ratios of one list in the power given by its pattern of zeros.
 std::vector<ratio_row> ratios_in(const list_of_unknown& of) {
     const auto unit = convergence::unit_of(of.list);
@@ -267,14 +285,24 @@ std::vector<ratio_row> ratios_in(const list_of_unknown& of) {
     const int power = std::max(1, pattern.stride);
     const convergence::strided_series<mpfr> part(scaled, pattern.first % power, power);
     const mpfr length = pow(mpfr(unit.length), power);
+    const known_value limit = of.law != nullptr ? of.law->limit(of.digits) : known_value{};
     for (const auto& each : convergence::ratios_of(part)) {
-        rows.push_back({power, of.root, each.n, each.value, length, of.digits, of.unknown});
+        ratio_row& row =
+            rows.emplace_back(ratio_row{power, of.root, each.n, each.value, length, of.digits, of.unknown});
+        if (of.law != nullptr && power == of.law->stride()) {
+            row.proved_limit = limit;
+            if (each.n >= of.law->first() + power) {
+                row.law = of.law->ratio(each.n, of.digits, proved_law::source::law);
+            }
+        }
     }
     return rows;
 }
 
 study_plan plan(const study_request& request) {
-    return plan_of_lists(request, "leaves no ratios to draw", ratio_columns(), ratios_in, "intercepts", is_any_test);
+    return plan_of_lists(request, "leaves no ratios to draw",
+                         proves_law(request) ? ratio_columns_with_law() : ratio_columns(), ratios_in, "intercepts",
+                         is_any_test);
 }
 
 }  // namespace
@@ -316,10 +344,15 @@ const study& domb_sykes() {
                 "Ratios of coefficients over 1/n, of the series in the power that its zeros leave. A single nearest "
                 "singularity makes a straight line whose intercept is its place to that power, and whose slope its "
                 "exponent; the grey lines are plus and minus the verdict of all tests. A pair of singularities "
-                "scatters the ratios for ever. The second table holds what each test answers.",
+                "scatters the ratios for ever. The second table holds what each test answers. With --prove the law of "
+                "all "
+                "coefficients adds what it predicts, from its terms alone, the line to which the ratios are proved to "
+                "tend, and "
+                "a proved bound of the distance from that line at each n.",
             .parameters = {{"--orders", "20,50,100,200",
                             "N, last powers of the lists under test; the largest is drawn"},
-                           {"--scalar", "mpfr:30", "arithmetic of the lists under test"}},
+                           {"--scalar", "mpfr:30", "arithmetic of the lists under test"},
+                           law_parameter()},
             .example = {"blasius", {}},
             .quick = {{"--orders", "20"}},
             .seconds = 1}};

@@ -24,6 +24,8 @@ struct root_row {
     std::string unknown;
     const sweep_energy* at = nullptr;  // of the pendulum
     const exact* point = nullptr;      // of the pendulum
+    std::optional<law_root> law = {};  // with --prove
+    known_value proved_radius = {};
 };
 
 const column_list<root_row>& columns() {
@@ -54,6 +56,14 @@ const column_list<root_row>& columns() {
          [](const row& r) { return 2 * nearest_count_on_arc(r.point->coefficient); }},
         gap_column<row>(),
         unknown_column<row>(),
+        {"law_root", "|a_n|^(-1/n) by the law of all coefficients alone (proved); empty below its first n",
+         [](const row& r) { return r.law ? value_cell(r.law->root) : cell(); }},
+        {"law_error", "a bound of the distance of the root from law_root (proved)",
+         [](const row& r) { return r.law ? bound_cell(r.law->root) : cell(); }},
+        {"proved_radius", "radius of convergence by the law (proved); empty if it is not proved",
+         [](const row& r) { return value_cell(r.proved_radius); }},
+        {"deviation", "a bound of |root - radius| at this n (proved)",
+         [](const row& r) { return r.law ? number_cell(r.law->deviation) : cell(); }},
     });
     return all;
 }
@@ -70,6 +80,12 @@ const column_list<root_row>& columns_of_pendulum() {
 
 const column_list<root_row>& columns_of_equation() {
     static const auto all = columns_named("n,inverse_n,root,corrected,unknown", columns());
+    return all;
+}
+
+const column_list<root_row>& columns_with_law() {
+    static const auto all =
+        joined(columns_of_equation(), columns_named("law_root,law_error,proved_radius,deviation", columns()));
     return all;
 }
 
@@ -92,11 +108,19 @@ table roots_of_list(const sweep_energy& at, const exact& point, int order, long 
 
 std::vector<root_row> roots_in(const list_of_unknown& of) {
     std::vector<root_row> rows;
+    const known_value radius = of.law != nullptr ? of.law->radius(of.digits) : known_value{};
     for (int n = 1; n <= of.list.order(); ++n) {
         if (of.list[n] != 0) {
             const mpfr power = mpfr(-of.root) / n;
             const mpfr size = abs(of.list[n]);
-            rows.push_back({n, pow(size, power), pow(mpfr(size * n), power), mpfr(1), of.digits, of.unknown});
+            root_row& row = rows.emplace_back(
+                root_row{n, pow(size, power), pow(mpfr(size * n), power), mpfr(1), of.digits, of.unknown});
+            if (of.law != nullptr) {
+                row.proved_radius = radius;
+                if (n >= of.law->first() && (n - of.law->residue()) % of.law->stride() == 0) {
+                    row.law = of.law->root(n, of.digits, proved_law::source::law);
+                }
+            }
         }
     }
     return rows;
@@ -116,7 +140,8 @@ study_plan plan_of_pendulum(const study_request& request) {
 }
 
 study_plan plan_of_equation(const study_request& request) {
-    return plan_of_lists(request, too_short, columns_of_equation(), roots_in, "estimates", is_by_size);
+    return plan_of_lists(request, too_short, proves_law(request) ? columns_with_law() : columns_of_equation(), roots_in,
+                         "estimates", is_by_size);
 }
 
 }  // namespace
@@ -154,10 +179,14 @@ const study& root_test() {
             .reading =
                 "Roots of the coefficients over 1/n: |a_n|^(-1/n), and |n a_n|^(-1/n), which knows how the "
                 "coefficients of a logarithm fall. Both creep towards the radius, the grey line of the verdict, like "
-                "ln n over n: more coefficients help less than a test that fits where they come from.",
+                "ln n over n: more coefficients help less than a test that fits where they come from. With --prove the "
+                "law "
+                "of all coefficients adds the root that it predicts, the radius, and a bound of their distance, proved "
+                "at each n.",
             .parameters = {{"--orders", "20,50,100,200",
                             "N, last powers of the lists under test; the largest is drawn"},
-                           {"--scalar", "mpfr:30", "arithmetic of the lists under test"}},
+                           {"--scalar", "mpfr:30", "arithmetic of the lists under test"},
+                           law_parameter()},
             .example = {"blasius", {}},
             .quick = {{"--orders", "20"}},
             .seconds = 1}};

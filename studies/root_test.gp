@@ -20,6 +20,14 @@ if (equation ne '') {
     key = key_entry('points pt 6 ps 0.8 lc rgb soft', "'|a_n|^{−1/n}'").', '.key_entry('points pt 2 ps 0.8 lc rgb soft', "'|n a_n|^{−1/n}'") \
         .', '.key_entry("lines lw 1.5 lc rgb '#888888'", "'verdict of all tests'").', '.key_of_cases('lines lw 2.4 lc rgb tone(h)')
     entries = shown_in_key(cases) + 3; letters = 20
+    # With --prove: the radius of the law, and the roots that it predicts.
+    eval column_in(main, 'proved_radius')
+    if (has_column) {
+        layers = layers.', '.by_hue('proved_radius', "has('proved_radius')", "lines lw 2 lc rgb cases < 2 ? '#D55E00' : tone(h)") \
+            .', '.by_hue('law_root', "has('law_root')", 'points pt 6 ps 1.1 lc rgb tone(h)')
+        key = key.', '.key_entry("lines lw 2 lc rgb '#D55E00'", "'proved radius'").', '.key_entry('points pt 6 ps 1.1 lc rgb soft', "'root by the law alone'")
+        entries = entries + 2
+    }
     load scripts.'/shared/panels.gp'
     exit
 }

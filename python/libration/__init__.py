@@ -20,6 +20,7 @@ from .certificates import check
 from .errors import ArgumentError, Fault, LibrationError, RangeError, UnableError, UndecidedError, UndefinedError
 from .infinity import ConnectingSolution, at_infinity, eigenvalues
 from .ivp import OdeResult, OdeSolution, solve_ivp
+from .laws import Law
 from .motions import Motion, Samples, motion
 from .odefun import OdeFunction, odefun
 from .progress import show_progress
@@ -40,6 +41,7 @@ __all__ = [
     "ConnectingSolution",
     "Derivatives",
     "Fault",
+    "Law",
     "LibrationError",
     "Motion",
     "OdeFunction",

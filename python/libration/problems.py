@@ -18,6 +18,7 @@ from .coefficients import texts_of_coefficients
 from .drawing import axes_of, table_of
 from .errors import UndecidedError, with_partial
 from .latex import latex_of, statements_of
+from .laws import Law
 from .progress import with_progress
 from .solutions import Solution
 from .tables import Cell, Row, Table, number_of
@@ -364,6 +365,13 @@ class Problem:
         parts, complete = self._problem.singularities(distance, digits, 2 if prove else 0)
         found = Table._of(parts)
         return Singularities(found.names, found.cells, complete)
+
+    @with_progress
+    def law(self, show: str | None = None, within: Any = None) -> Law:
+        """The law of all Taylor coefficients about the start of an unknown or a derivative, "y" or "th'", the first unknown
+        without it: all singularities within a distance, and any coefficient without the ones before, proved. Raises
+        UndecidedError with the reason if no law is proved."""
+        return Law(self, show, within)
 
     @with_progress
     def limits(self, digits: int = 50) -> Row:

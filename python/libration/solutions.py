@@ -13,6 +13,7 @@ from .tables import Row, Table
 from .texts import digits_and_rigour, rigour_of, text_of, times_text
 
 if TYPE_CHECKING:
+    from .laws import Law
     from .problems import Problem, Radius
 
 
@@ -109,6 +110,10 @@ class Solution:
         point = None if at is None else text_of(at, "at")
         corners = None if via is None else times_text(via)[0]
         return Table._of(self._solution.coefficients(point, corners, first, order, digits, rigour))
+
+    def law(self, show: str | None = None, within: Any = None) -> Law:
+        """The law of all Taylor coefficients about the start, proved, as Problem.law()."""
+        return self._of.law(show, within)
 
     def radius(self, order: int = 300, digits: int = 30) -> Radius:
         """The radius of convergence about the start from its coefficients, heuristic: as Problem.radius()."""

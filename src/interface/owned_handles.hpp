@@ -19,6 +19,7 @@ using table = handle<libration_table, libration_table_free>;
 using motion = handle<libration_motion, libration_motion_free>;
 using problem = handle<libration_problem, libration_problem_free>;
 using solution = handle<libration_solution, libration_solution_free>;
+using law = handle<libration_law, libration_law_free>;
 using sampler = handle<libration_sampler, libration_sampler_free>;
 using steps = handle<libration_steps, libration_steps_free>;
 

@@ -3,6 +3,8 @@
 # the problem, in addition to the variables of style.gp.
 load scripts.'/style.gp'
 
+# Whether a table has a column: has_column = 1 or 0.
+column_in(table, c) = sprintf("has_column = 0; i_ = 1; header_ = ' '; while (header_ ne '') { stats '%s' every ::0::0 using (header_ = columnhead(i_), 0) nooutput; has_column = has_column || header_ eq '%s'; i_ = header_ eq '' ? i_ : i_ + 1 }", table, c)
 called = equation eq 'typed' ? 'the given equation' : problem_name(equation)
 table_of(suffix) = data.'/'.stem.suffix.'.csv'
 main = table_of('')

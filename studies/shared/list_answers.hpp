@@ -15,6 +15,7 @@
 #include "libration/convergence/radius_report.hpp"
 #include "libration/convergence/root_variable.hpp"
 #include "libration/pendulum/series_on_arc.hpp"
+#include "libration/problem/proved_law.hpp"
 #include "libration/problem/unknown_lists.hpp"
 #include "sweep_columns.hpp"
 
@@ -219,6 +220,18 @@ inline std::vector<answered_list> verdicts_of(const ode::explicit_system& system
     return answers_to(lists, sweep, orders, scalar, is_verdict);
 }
 
+/// The parameter --prove of a study of lists.
+inline study_parameter law_parameter() {
+    return {"--prove", "", "proves the law of all coefficients (docs/asymptotics.md), and adds it to table and figure"};
+}
+
+/// Whether it is given.
+inline bool proves_law(const study_request& request) { return !request.values.of("prove").empty(); }
+
+/// A proved number as a cell and its bound as another: empty if no digit of it is proved.
+inline cell value_cell(const known_value& of) { return of.decimal ? number_cell(of.decimal->text) : cell(); }
+inline cell bound_cell(const known_value& of) { return number_cell(of.decimal ? of.decimal->uncertainty : of.bound); }
+
 /// The list of an unknown about the initial point, and the results for all lists.
 struct list_of_unknown {
     const series::power_series<mpfr>& list;
@@ -226,7 +239,18 @@ struct list_of_unknown {
     const std::string& unknown;
     long digits;
     const std::vector<answered_list>& answers;
+    const proved_law* law = nullptr;  ///< with --prove
 };
+
+/// The law of an unknown. Throws error of the kind undecided with the law's reason, and the unknown if there are several.
+inline proved_law law_of_unknown(const ode::explicit_system& system, const std::string& unknown, long digits) {
+    try {
+        return {system, {.show = unknown}, proved_digits(digits)};
+    } catch (const error& missing) {
+        const std::string of = system.unknowns().size() > 1 ? ", as to " + unknown + "," : "";
+        throw error(missing.kind(), "--prove", "", "has no law" + of + " for this problem, which " + missing.reason());
+    }
+}
 
 /// The plan of a study of these lists: a table of the rows(list of an unknown), and one of the results of the tests
 /// that are shown. Throws input_error with the reason `too_short` for an order below least_order_of_lists.
@@ -238,15 +262,21 @@ study_plan plan_of_lists(const study_request& request, const char* too_short, co
     const scalar_spec scalar = request.scalar.value_or(read_scalar("mpfr:30"));
     return plan_by_parameters(
         {head_of(*sweep, "", scalar, columns), head_of(*sweep, suffix_of_results, scalar, answered_columns())}, sweep,
-        [sweep, orders, scalar, &columns, rows, shown](std::size_t i) {
+        [sweep, orders, scalar, &columns, rows, shown, proves = proves_law(request)](std::size_t i) {
             const precision_scope scope(scalar.digits + guard_of_lists);
-            const auto lists = lists_about_start(sweep->system(i), orders.back(), scalar.digits + guard_of_lists);
+            const auto system = sweep->system(i);
+            std::vector<proved_law> laws;  // first, so that a problem without one is refused at once
+            for (const int unknown : proves ? sweep->unknowns() : std::vector<int>{}) {
+                laws.push_back(law_of_unknown(system, sweep->name_of(unknown), scalar.digits));
+            }
+            const auto lists = lists_about_start(system, orders.back(), scalar.digits + guard_of_lists);
             const auto answers = answers_to(lists, *sweep, orders, scalar, shown);
             std::vector<Row> all;
-            for (const int unknown : sweep->unknowns()) {
+            for (std::size_t k = 0; k < sweep->unknowns().size(); ++k) {
+                const int unknown = sweep->unknowns()[k];
                 const auto& list = lists[static_cast<std::size_t>(unknown)].coefficients();
-                const auto own =
-                    rows({list, lists.front().lists.root, sweep->name_of(unknown), scalar.digits, answers});
+                const auto own = rows({list, lists.front().lists.root, sweep->name_of(unknown), scalar.digits, answers,
+                                       proves ? &laws[k] : nullptr});
                 all.insert(all.end(), own.begin(), own.end());
             }
             return std::vector<table>{make_table(columns, all), make_table(answered_columns(), answers)};

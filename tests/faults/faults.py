@@ -1460,6 +1460,16 @@ FAULTS = [
         ("an irregular singular point", "if (!structure.is_regular()) {", "if (false) {"),
     ),
     *in_file(
+        "src/libration/asymptotics/ratio_line.cpp", ["asymptotics/ratio_line_test.cpp"],
+        ("a line of ratios for two nearest singularities", "count != law.stride() ||", ""),
+        ("the exponent of a derivative forgotten", "*each.exponent -= law.shift();", ""),
+    ),
+    *in_file(
+        "src/libration/problem/proved_law.cpp", ["problem/proved_law_test.cpp"],
+        ("a deviation from the line of another n", "distance = abs(ball(quotient - now->at(n)));", "distance = abs(ball(quotient - now->at(n + 1)));"),
+        ("a coefficient of the recurrence with another index", "value(asked.n - asked.back, 0)", "value(asked.n - asked.back, 1)"),
+    ),
+    *in_file(
         "src/libration/asymptotics/closed_equation.cpp", ["asymptotics/coefficient_law_test.cpp"],
         ("an equation along the solution with a wrong integral", "flow.at_start(f3 / f1)", "flow.at_start(f2 / f1)"),
     ),

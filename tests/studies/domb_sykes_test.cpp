@@ -6,6 +6,7 @@
 
 #include "libration/pendulum/expansion_coverage.hpp"
 #include "studies/study_rows.hpp"
+#include "sweep/named_order.hpp"
 #include "text/input_error.hpp"
 
 namespace studies_domb_sykes_test {
@@ -111,6 +112,31 @@ TEST_CASE("what has no ratios is refused", "[studies][domb_sykes]") {
     CHECK_THROWS_AS(rows_under("", {{"--energies", "0"}}), libration::error);
     CHECK_THROWS_AS(rows_under("", {{"--energies", "1,2"}}), libration::error);
     CHECK_THROWS_AS(rows_under("", {{"--orders", "3"}}), input_error);
+}
+
+// (1 - 2t)^(-1/2): a_n/a_(n-1) = 2 - 1/n, which is the line itself.
+TEST_CASE("with --prove the law of an equation is in further columns", "[studies][domb_sykes]") {
+    const precision_scope scope(40);
+    const auto order = order_asked("study", "domb_sykes", equation_words{"y' = y^3; y(0) = 1", {}},
+                                   {{"--prove", "yes"}, {"--orders", "120"}}, 2);
+    CHECK(order.command.find("--prove --orders") == std::string::npos);
+    CHECK(order.command.ends_with("--prove"));
+    const auto rows = rows_of_table(tables_of(order).front());
+    REQUIRE(rows.size() == 120);
+    for (const table_row& row : rows) {
+        const mpfr truth = 2 - mpfr(1) / number_of(row.at("n"));
+        CHECK(abs(mpfr(number_of(row.at("proved_limit")) - 2)) < mpfr("1e-28"));
+        if (!row.at("law_ratio").empty()) {
+            CHECK(abs(mpfr(number_of(row.at("law_ratio")) - truth)) <= number_of(row.at("law_error")));
+            CHECK(abs(mpfr(number_of(row.at("proved_line")) - truth)) < mpfr("1e-28"));
+            CHECK(number_of(row.at("deviation")) >= 0);
+        }
+    }
+    CHECK(number_of(rows.back().at("deviation")) < mpfr("1e-15"));
+    CHECK(rows.front().at("law_ratio").empty());
+    CHECK_THROWS_AS(tables_of(order_asked("study", "domb_sykes", equation_words{"y'' = -y; y(0) = 0; y'(0) = 1", {}},
+                                          {{"--prove", "yes"}, {"--orders", "8"}}, 1)),
+                    error);
 }
 
 }  // namespace studies_domb_sykes_test

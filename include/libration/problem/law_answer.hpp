@@ -1,25 +1,11 @@
 // The law of all Taylor coefficients of a solution in words and decimals, and coefficients by it.
 #pragma once
 
-#include <optional>
-#include <string>
 #include <vector>
 
-#include "libration/equation/explicit_system.hpp"
-#include "libration/problem/answer.hpp"
+#include "libration/problem/proved_law.hpp"
 
 namespace libration {
-
-/// The request of a law (ode::coefficient_law).
-struct law_question {
-    /// An unknown or a derivative of it, y or th'; the first unknown if it is empty.
-    std::string show = {};
-    std::optional<exact> within = {};
-    /// The last index of the expansions at branch points.
-    int terms = 60;
-    /// The coefficients to compute.
-    std::vector<long> orders = {};
-};
 
 struct law_report {
     /// One row for each singularity in |t - t0| <= rho: position_re, position_im, modulus, kind (pole of order m, branch point,
@@ -35,6 +21,10 @@ struct law_report {
 
 /// Throws error of the subject "unknown" for a name that is none, of the kind undecided as coefficient_law::of. A coefficient to which the law
 /// does not give the digits is computed by the recurrence up to a power of 20000.
-law_report law_of(const ode::explicit_system& system, const law_question& asked, const request& how);
+law_report law_of(const ode::explicit_system& system, const law_question& asked, const std::vector<long>& orders,
+                  const request& how);
+/// law_report::coefficients of a law that is proved already; `complete` may be null.
+answer coefficients_of_law(const proved_law& law, const std::vector<long>& orders, long digits,
+                           bool* complete = nullptr);
 
 }  // namespace libration

@@ -20,6 +20,9 @@ namespace {
 constexpr const char* scalar_option = "--scalar";
 constexpr std::string_view typed_ending = "_typed";
 
+// An axis whose option has no argument, with the single value "yes".
+bool takes_no_argument(const axis& along) { return along.option == "--prove"; }
+
 // The items of an axis; for an axis of words, the words between commas.
 std::vector<grid_item> items_of(const axis& along, const std::string& words) {
     if (along.form == axis_form::one_number) {
@@ -231,8 +234,12 @@ std::vector<study_option> options_of(const std::vector<const study*>& studies) {
     const auto add = [&](const std::vector<axis>& axes) {
         for (const axis& each : axes) {
             if (std::ranges::find(all, each.option, &study_option::option) == all.end()) {
-                all.push_back({each.option, each.form == axis_form::one_number ? "X" : "LIST",
-                               each.help + ": " + forms_of_axis(each)});
+                const bool flag = takes_no_argument(each);
+                all.push_back({each.option,
+                               flag                                 ? ""
+                               : each.form == axis_form::one_number ? "X"
+                                                                    : "LIST",
+                               flag ? each.help : each.help + ": " + forms_of_axis(each)});
             }
         }
     };
@@ -271,7 +278,9 @@ study_order order_of(const study& what, const study_words& words, int jobs) {
     order.request.jobs = jobs;
     for (const study_parameter& own : what.parameters) {
         if (const auto said = words.find(own.option); said != words.end()) {
-            order.command += " " + own.option + (said->second.starts_with("-") ? "=" : " ") + said->second;
+            const bool flag = own.option != scalar_option && takes_no_argument(axis_of(what, own.option));
+            order.command +=
+                " " + own.option + (flag ? "" : (said->second.starts_with("-") ? "=" : " ") + said->second);
         }
         fill(order, own, words);
     }

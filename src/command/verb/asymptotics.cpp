@@ -40,23 +40,28 @@ law_question question_of(const asymptotics_options& options) {
         asked.terms = reading("--terms", *options.terms, "write the last index of the expansions, 0 to 200",
                               [&] { return read_count(*options.terms, most_terms_of_law); });
     }
-    for (const std::string& each : options.orders) {
-        asked.orders.push_back(reading("--order", each, "write powers such as 100,10000,1000000",
-                                       [&] { return read_whole_number(each, largest_power_of_series, "power"); }));
-    }
-    if (asked.orders.size() > most_orders) {
-        throw input_error("--order", std::to_string(asked.orders.size()) + " powers", "are more than 10000",
-                          "write fewer");
-    }
     return asked;
+}
+
+std::vector<long> orders_of(const asymptotics_options& options) {
+    std::vector<long> orders;
+    for (const std::string& each : options.orders) {
+        orders.push_back(reading("--order", each, "write powers such as 100,10000,1000000",
+                                 [&] { return read_whole_number(each, largest_power_of_series, "power"); }));
+    }
+    if (orders.size() > most_orders) {
+        throw input_error("--order", std::to_string(orders.size()) + " powers", "are more than 10000", "write fewer");
+    }
+    return orders;
 }
 
 // Errors of the unknown and of what is not proved name the option.
 law_report report_of(const asymptotics_options& options, long digits) {
     const auto asked = question_of(options);
+    const auto orders = orders_of(options);
     progress shown("asymptotics", 1);
     try {
-        return law_of(options.problem.choose(), asked,
+        return law_of(options.problem.choose(), asked, orders,
                       {.scalar = {scalar_kind::proved, digits}, .stage = [&](const std::string& done) {
                            shown.stage(done);
                            check_time();

@@ -257,7 +257,13 @@ subcommand study_command(CLI::App& program) {
         ->required()
         ->each([command](const std::string& name) { narrow_help(*command, study_named("study", name)); });
     for (const study_option& each : options_of(all_studies())) {
-        command->add_option(each.option, options->words[each.option], each.help)->type_name(each.type_name);
+        auto& words = options->words[each.option];
+        if (each.type_name.empty()) {
+            command->add_flag_callback(
+                each.option, [&words] { words = "yes"; }, each.help);
+        } else {
+            command->add_option(each.option, words, each.help)->type_name(each.type_name);
+        }
     }
     command
         ->add_option("--problem", options->problem,

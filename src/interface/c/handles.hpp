@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "libration/problem/known/pendulum_solution.hpp"
+#include "libration/problem/proved_law.hpp"
 #include "libration/problem/solution.hpp"
 #include "libration/scalar/printed_number.hpp"
 
@@ -57,6 +58,13 @@ struct libration_solution {
     libration_problem of;
     std::unique_ptr<libration::solution> kept = {};  ///< null before the first question, and after a failure
     std::unique_ptr<std::mutex> guard = std::make_unique<std::mutex>();
+};
+
+struct libration_law {
+    std::unique_ptr<libration::proved_law> of;  ///< null after a failure
+    std::unique_ptr<std::mutex> guard = std::make_unique<std::mutex>();
+    double rho = 0;
+    long first = 0, stride = 0, residue = 0;
 };
 
 struct libration_steps {

@@ -30,6 +30,9 @@ struct problem_object {
 struct solution_object {
     owned::solution handle;
 };
+struct law_object {
+    owned::law handle;
+};
 struct sampler_object {
     owned::sampler handle;
 };

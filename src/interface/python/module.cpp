@@ -5,6 +5,7 @@
 #include <array>
 
 #include "calls.hpp"
+#include "laws.hpp"
 #include "solutions.hpp"
 
 namespace {
@@ -354,4 +355,5 @@ PYBIND11_MODULE(_libration, m) {
     define_motions(m);
     define_problems(m);
     define_solutions(m);
+    define_laws(m);
 }

@@ -49,7 +49,7 @@ std::string kinds_by_law(const ode::explicit_system& system, const request& how)
     request fewer = how;
     fewer.scalar.digits = digits_of_kinds;
     std::vector<std::vector<answer_value>> rows;
-    const auto missing = undecided_in([&] { rows = law_of(system, {}, fewer).singularities.rows; });
+    const auto missing = undecided_in([&] { rows = law_of(system, {}, {}, fewer).singularities.rows; });
     if (missing || rows.empty() || rows.front()[3].text == "none") {
         return "";
     }

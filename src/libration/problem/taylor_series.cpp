@@ -61,14 +61,15 @@ std::optional<answer> series_by_laws(const ode::coefficient_request& of, const r
     }
     answer result{.names = {"n"}, .rows = {}, .rigour = "proved"};
     law_question asked;
+    std::vector<long> orders;
     for (long n = of.first; n <= of.order; ++n) {
-        asked.orders.push_back(n);
+        orders.push_back(n);
         result.rows.push_back({whole_value(n)});
     }
     try {
         for (const auto& each : of.system.unknowns()) {
             asked.show = each.name;
-            const law_report found = law_of(of.system, asked, how);
+            const law_report found = law_of(of.system, asked, orders, how);
             if (!found.complete) {
                 return std::nullopt;
             }
