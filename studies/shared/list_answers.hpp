@@ -265,7 +265,7 @@ study_plan plan_of_lists(const study_request& request, const char* too_short, co
         [sweep, orders, scalar, &columns, rows, shown, proves = proves_law(request)](std::size_t i) {
             const precision_scope scope(scalar.digits + guard_of_lists);
             const auto system = sweep->system(i);
-            std::vector<proved_law> laws;  // first, so that a problem without one is refused at once
+            std::vector<proved_law> laws;  // first, so that a problem without one fails at once
             for (const int unknown : proves ? sweep->unknowns() : std::vector<int>{}) {
                 laws.push_back(law_of_unknown(system, sweep->name_of(unknown), scalar.digits));
             }

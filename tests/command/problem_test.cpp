@@ -419,7 +419,7 @@ TEST_CASE("the radius of a problem is that of its nearest singularity", "[comman
 }
 
 TEST_CASE("the catalogue is listed, and a problem shown", "[command][problem]") {
-    CHECK(lines_of(output_of({"problems", "--format", "csv"})).size() == 111);
+    CHECK(lines_of(output_of({"problems", "--format", "csv"})).size() == 116);
     CHECK(output_of({"problems", "blasius"}).find("f''' + f*f''/2 = 0\n") != std::string::npos);
     check_refused({"problems", "blasus"}, {"'blasus'", "blasius"});
 }

@@ -96,7 +96,8 @@ const rules reference_rules{
 };
 
 const rules trajectory_rules{
-    {"--method --order --via --step --scale --integrator --general", "limits", not_with_limits},
+    {"--via --step --scale --integrator --general", "limits", not_with_limits},
+    {"--order", "limits !--method", not_with_limits, "leave it out, or add --method asymptotic"},
     {"--set", "limits list", "has a list of values, which is not supported with conditions at infinity",
      "give one value"},
     {"--manifold", "!--problem", "is about an equilibrium of a --problem", add_problem},

@@ -124,7 +124,7 @@ std::vector<std::optional<mpfr>> values_of_list(const list_request& request, con
 }
 
 // The largest changes of the values of a method at all times if the coefficients of a rounded list move by their rounding
-// errors, in directions from a linear congruence; nothing where one of them is a pole, 0 for exact lists.
+// errors, in directions from a linear congruence; no change at a pole, 0 for exact lists.
 std::vector<std::optional<mpfr>> changes_by_rounding(const list_request& request, list_method method) {
     const written_list written = written_list_of(request.coefficients, request.rounded);
     std::vector<std::optional<mpfr>> changes(request.times.size(), mpfr(0));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <utility>
 
 #include "approximants_of_unknown.hpp"
@@ -11,6 +12,7 @@
 #include "libration/integration/fixed_step/runge_kutta.hpp"
 #include "libration/problem/axis.hpp"
 #include "libration/problem/known_facts.hpp"
+#include "libration/problem/limit_behaviour.hpp"
 #include "libration/query/trajectory.hpp"
 #include "problem_trajectory.hpp"
 #include "text/input_error.hpp"
@@ -103,10 +105,8 @@ compared_values by_method(const ode::explicit_system& system, const chosen_appro
     return by.method == "rk4" ? by_runge_kutta<T>(system, by.step, times) : by_list<T>(system, by, times);
 }
 
-// In the current precision, with the asymptotic behaviour to this number of digits.
-compared_values by_far_behaviour(const std::string& problem, const ode::equation_system& given, int order,
-                                 const std::vector<ode::number>& times, long digits) {
-    const far_behaviour far = far_behaviour_of(problem, given, digits);
+// In the current precision.
+compared_values by_far_behaviour(const far_behaviour& far, int order, const std::vector<ode::number>& times) {
     const auto truth = solve_on(far.system, times);
     const series_about_start<mpfr> list(far.system, order);
     const auto approximant = asymptotic_approximant(far, list.expansion.series_of(far.index()));
@@ -128,6 +128,13 @@ void require_known_far_behaviour(const problem_options& problem) {
         }
         throw input_error("--method", "asymptotic", "needs the asymptotic behaviour of the problem, which is not known",
                           "choose one of " + names + ", or --method pade");
+    }
+}
+
+void require_asymptotic_scalar(const arithmetic& numbers) {
+    if (numbers.scalar.kind != scalar_kind::arbitrary) {
+        throw input_error("--scalar", numbers.scalar.name(), "has no asymptotic approximants",
+                          fmt::format("use mpfr:{}", numbers.scalar.digits));
     }
 }
 
@@ -200,13 +207,10 @@ compared_values compare_with_solution(const problem_options& problem, const chos
     const auto system = problem.choose();
     if (by.method == "asymptotic") {
         require_known_far_behaviour(problem);
-        if (numbers.scalar.kind != scalar_kind::arbitrary) {
-            throw input_error("--scalar", numbers.scalar.name(), "has no asymptotic approximants",
-                              fmt::format("use mpfr:{}", numbers.scalar.digits));
-        }
+        require_asymptotic_scalar(numbers);
         const auto given = problem.equations();
         return agreed_comparison(numbers.scalar.digits, times, system, [&](long digits) {
-            return by_far_behaviour(*problem.problem(), given, by.order, times, digits);
+            return by_far_behaviour(far_behaviour_of(*problem.problem(), given, digits), by.order, times);
         });
     }
     if (numbers.scalar.kind == scalar_kind::arbitrary) {
@@ -248,7 +252,37 @@ table table_of_comparison(const compared_values& found, const std::vector<exact>
     return data;
 }
 
+table table_of_comparison(const std::function<compared_values()>& compute, const std::vector<exact>& times,
+                          const arithmetic& numbers) {
+    try {
+        return table_of_comparison(compute(), times, numbers);
+    } catch (const error& complaint) {
+        if (complaint.kind() != error_kind::argument ||
+            (!complaint.is_about(error_subject::time) && !complaint.is_about(error_subject::start))) {
+            throw;
+        }
+        throw input_error(complaint.is_about(error_subject::time) ? "--times" : "--problem", complaint.value(),
+                          complaint.reason(), "choose times nearer to the initial point, or another initial point");
+    }
+}
+
 }  // namespace
+
+table limit_approximation(const limit_problem& of, int order, const std::vector<exact>& times,
+                          const arithmetic& numbers) {
+    require_asymptotic_scalar(numbers);
+    const auto at = constants_of(times);
+    return table_of_comparison(
+        [&] {
+            const long digits = numbers.scalar.digits;
+            const precision_scope scope(digits);
+            const auto system = behaviour_at_infinity(of, digits).system;
+            return agreed_comparison(digits, at, system, [&](long finer) {
+                return by_far_behaviour(behaviour_at_infinity(of, finer), order, at);
+            });
+        },
+        times, numbers);
+}
 
 table problem_approximation(const problem_options& problem, const chosen_approximation& by,
                             const std::vector<exact>& times, const arithmetic& numbers) {
@@ -260,17 +294,7 @@ table problem_approximation(const problem_options& problem, const chosen_approxi
     if (is_one_sided(by.method)) {
         require_one_side(problem.choose(), at, by.method);
     }
-    try {
-        const auto found = compare_with_solution(problem, by, at, numbers);
-        return table_of_comparison(found, times, numbers);
-    } catch (const error& complaint) {
-        if (complaint.kind() != error_kind::argument ||
-            (!complaint.is_about(error_subject::time) && !complaint.is_about(error_subject::start))) {
-            throw;
-        }
-        throw input_error(complaint.is_about(error_subject::time) ? "--times" : "--problem", complaint.value(),
-                          complaint.reason(), "choose times nearer to the initial point, or another initial point");
-    }
+    return table_of_comparison([&] { return compare_with_solution(problem, by, at, numbers); }, times, numbers);
 }
 
 }  // namespace libration

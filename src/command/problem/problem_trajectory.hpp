@@ -7,6 +7,7 @@
 
 #include "complex_times.hpp"
 #include "libration/equation/explicit_system.hpp"
+#include "libration/problem/limit_solution.hpp"
 #include "libration/problem/solution.hpp"
 #include "option/options.hpp"
 #include "problem_options.hpp"
@@ -62,5 +63,9 @@ struct chosen_approximation {
 /// initial point, without a scale that the coefficients show, and for times that are not reached.
 table problem_approximation(const problem_options& problem, const chosen_approximation& by,
                             const std::vector<exact>& times, const arithmetic& numbers);
+
+/// The same table of asymptotic approximants by behaviour_at_infinity().
+table limit_approximation(const limit_problem& of, int order, const std::vector<exact>& times,
+                          const arithmetic& numbers);
 
 }  // namespace libration

@@ -200,6 +200,23 @@ std::vector<partial_table> parts_of(const trajectory_options& options, const std
     return parts;
 }
 
+// Of a problem with conditions at infinity.
+int write_limit_approximation(const trajectory_options& options, const limit_problem& of) {
+    const method_form& form = *method_among(methods_of_problem, options);
+    if (form.name != "asymptotic") {
+        throw input_error("--method", form.name, "is not available with conditions at infinity",
+                          "write asymptotic, or leave --method out");
+    }
+    if (!options.times || options.plot.file(options.output)) {
+        throw input_error("--method", form.name, "with conditions at infinity is a table at given times",
+                          "add --times 1,2,5, and leave --plot out");
+    }
+    const table rows = limit_approximation(of, order_of("--order", *options.order), times_of_problem(*options.times),
+                                           options.arithmetic.choose());
+    table_output(options.output, std::nullopt).write(rows);
+    return 0;
+}
+
 // A motion, or the solutions of a problem, one or a family.
 int run_trajectory(trajectory_options options) {
     constexpr std::size_t most_in_double = 100'000;
@@ -209,6 +226,9 @@ int run_trajectory(trajectory_options options) {
         return options.manifold.write(options.problem, options.output, options.plot);
     }
     if (const auto of = options.limits.take(options.problem)) {
+        if (options.method.value_or("taylor") != "taylor") {
+            return write_limit_approximation(options, of->problem);
+        }
         return write_limit_states(*of, {options.times, options.arithmetic.choose().digits, false}, options.problem,
                                   options.output, options.plot);
     }

@@ -19,6 +19,13 @@
 
 namespace libration {
 
+// The unknown and the derivative of a name such as th'.
+struct shown_quantity {
+    std::size_t unknown = 0;
+    int derivative = 0;
+    std::string name;
+};
+
 namespace {
 
 constexpr long bits_beyond_law_digits = 96;
@@ -27,13 +34,6 @@ constexpr long last_power_of_recurrence = 20'000;
 constexpr long last_power_of_fractions = 2'000;
 constexpr long digits_beyond_recurrence = 6;
 constexpr long guard_digits_of_recurrence = 30;
-
-// The unknown and the derivative of a name such as th'.
-struct shown_quantity {
-    std::size_t unknown = 0;
-    int derivative = 0;
-    std::string name;
-};
 
 shown_quantity quantity_named(const ode::explicit_system& system, const std::string& text) {
     if (text.empty()) {
