@@ -51,7 +51,8 @@ if(LIBRATION_BUILD_COMMAND)
     target_compile_definitions(libration-tests PRIVATE LIBRATION_COMMAND="$<TARGET_FILE:libration-command>")
     add_dependencies(libration-tests libration-command)
     # The tables for C++ are compiled as by their users.
-    target_compile_definitions(libration-tests PRIVATE LIBRATION_COMPILER="${CMAKE_CXX_COMPILER}")
+    target_compile_definitions(libration-tests PRIVATE LIBRATION_COMPILER="${CMAKE_CXX_COMPILER}"
+        LIBRATION_BOOST="${Boost_INCLUDE_DIRS}")
 endif()
 catch_discover_tests(libration-tests PROPERTIES TIMEOUT 600)
 
@@ -125,6 +126,7 @@ add_test(NAME missing_operation
         -D TYPE=${PROJECT_SOURCE_DIR}/docs/examples/counting.hpp
         -D INCLUDE=${PROJECT_SOURCE_DIR}/include
         -D COMPILER=${CMAKE_CXX_COMPILER}
+        -D "FLAGS=-idirafter ${Boost_INCLUDE_DIRS}"
         -D WORK=${PROJECT_BINARY_DIR}/missing_operation
         -P ${PROJECT_SOURCE_DIR}/cmake/check_missing_operation.cmake)
 # The first example of docs/cpp.md with the flags of pkg-config.

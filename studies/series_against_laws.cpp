@@ -217,7 +217,7 @@ const study& series_against_laws() {
             "the uncertainty that it states; a filled mark to the right of the empty one is a wrong statement.",
         .of = &problems_as_family(),
         .parameters = {{"--equations", "all", "names of problems with proved laws"},
-                       {"--orders", "40,80,200", "N, last powers of the lists under test"},
+                       {"--orders", "40,80", "N, last powers of the lists under test"},
                        {"--scalar", "mpfr:30", "arithmetic of the lists under test"}},
         .quick = {{"--equations", "tangent,riccati", ""}, {"--orders", "12", ""}},
         .seconds = 60,

@@ -62,6 +62,7 @@ std::string compiled_and_run(const std::filesystem::path& folder, const std::str
     std::ofstream(folder / "main.cpp") << program;
     const std::string in_folder = "cd '" + folder.string() + "' && ";
     const std::string compile = std::string("'") + LIBRATION_COMPILER +
+                                "' -idirafter '" LIBRATION_BOOST
                                 "' -std=c++17 -Wall -Wextra -Wpedantic -Werror main.cpp -o main > log 2>&1";
     const int status = std::system((in_folder + compile).c_str());
     INFO(text_of_file(folder / "log"));

@@ -132,8 +132,8 @@ TEST_CASE("the options of studies are the axes of their problems and their own",
         names.push_back(each.option);
     }
     CHECK(names == std::vector<std::string>{"--energies", "--gaps", "--times", "--points", "--periods", "--period-by",
-                                            "--orders", "--digits", "--step", "--recurrence", "--lists", "--seed",
-                                            "--scalar"});
+                                            "--orders", "--digits", "--step", "--recurrence", "--lists", "--prove",
+                                            "--seed", "--scalar"});
     CHECK(options.back().help == "double, long-double, quad or mpfr:DIGITS");
 }
 

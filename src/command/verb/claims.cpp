@@ -73,8 +73,7 @@ subcommand claims_command(CLI::App& program) {
     CLI::App* command = program.add_subcommand("claims", "test the statements of the paper: verdict and number");
     command->add_option("NAME", options->names,
                         "these claims only, or those that concern a label or a printed number (fig:subcrit, 'Figure "
-                        "4', '(16c)', 'section V'); "
-                        "all without it");
+                        "4', '(16c)', 'section V'; default: all)");
     options->output.add_to(*command);
     command->add_option("--jobs", options->jobs, "number of threads (default: all cores)")->type_name("J");
     return {command, [options] { return run_claims(*options); }};

@@ -75,7 +75,7 @@ subcommand series_command(CLI::App& program) {
     command->add_option("--coefficients", list.file, "the list: one number per line, or n,coefficient; - for stdin")
         ->type_name("FILE")
         ->required();
-    command->add_option("--order", list.order, "last power N; all that the list has unless given")->type_name("N");
+    command->add_option("--order", list.order, "last power N (default: that of the list)")->type_name("N");
     options->rounding.add_to(*command, "rounded if they have fewer than 60 digits");
     command
         ->add_option("--times,--time", list.times,
@@ -83,7 +83,7 @@ subcommand series_command(CLI::App& program) {
         ->type_name("LIST");
     command
         ->add_option("--method", list.method,
-                     "verdict, series, pade ([L/M] with M = N/2) or endpoint; all that apply unless given")
+                     "verdict, series, pade ([L/M] with M = N/2) or endpoint (default: all that apply)")
         ->type_name("METHOD");
     command->add_option("--endpoint", list.end, "another point where the function is known")->type_name("X");
     command->add_option("--endpoint-values", list.at_end, "f,f',f'',... there, for endpoint approximants")
@@ -94,7 +94,7 @@ subcommand series_command(CLI::App& program) {
         ->type_name("R");
     command
         ->add_option("--digits", options->digits,
-                     fmt::format("significant digits of the values; {} unless given", defaults::digits_of_list))
+                     fmt::format("significant digits of the values (default: {})", defaults::digits_of_list))
         ->type_name("D");
     command->add_option("--format", options->format, "text, csv, json or latex")
         ->type_name("FORMAT")

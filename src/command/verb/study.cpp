@@ -279,7 +279,7 @@ subcommand study_command(CLI::App& program) {
         ->add_option("--columns", options->columns,
                      "only these columns in the tables for LaTeX and in the CSV on stdout: NAME,NAME,...")
         ->type_name("NAMES");
-    command->add_option("--out", options->out, "write DIR/NAME/: tables, figures, provenance; without it CSV to stdout")
+    command->add_option("--out", options->out, "write DIR/NAME/: tables, figures, provenance (default: CSV to stdout)")
         ->type_name("DIR");
     command->add_flag("--fresh", options->fresh, "recompute all cells instead of using those in DIR/NAME/NAME.journal");
     command

@@ -249,8 +249,11 @@ std::optional<double> doubtful_nearer(const approximant_family& family, const st
     for (const auto* each : strong_clusters(family, clusters, 3)) {
         const root_consensus& now = each->now();
         const double width = width_of(now);
-        const auto* const before = earlier_than(*each, each->history.size() - 1).before;
-        const bool stays = before == nullptr || before->distance_to(now) < 0.03 * now.modulus();
+        const auto earlier = earlier_than(*each, each->history.size() - 1);
+        const auto is_near = [&](const root_consensus* at) { return at->distance_to(now) < 0.03 * now.modulus(); };
+        // Fits of a rounded list place roots by its noise, other ones at each length.
+        const bool of_noise = each->noise > 0 && (earlier.older == nullptr || !is_near(earlier.older));
+        const bool stays = !of_noise && (earlier.before == nullptr || is_near(earlier.before));
         if (stays && now.share < found_share && width < 0.01 && now.modulus() * (1 + 4 * width) < below) {
             return now.modulus();
         }

@@ -52,7 +52,7 @@ std::vector<const root_cluster*> strong_clusters(const approximant_family& famil
 std::vector<placed_cluster> ring_of(const std::vector<const root_cluster*>& strong);
 
 /// The modulus of a cluster with a share of 3 to 10 that would be nearer than `below` units, and is at the same place, to
-/// 3 %, at the length before.
+/// 3 %, at the length before; of a rounded list also at one of at most 0.93 of the length.
 std::optional<double> doubtful_nearer(const approximant_family& family, const std::vector<root_cluster>& clusters,
                                       double below);
 

@@ -68,10 +68,19 @@ well_problem::bottom_of_well well_problem::bottom() const {
         seen(middle + distance);
     }
     const double first = std::fabs(place - middle);  // at the nearest one a pole may be nearer
+    const bottom_of_well sampled = result;
+    const double sampled_place = place;
+    double drop = 0;
     for (double near = first; first > nearest_sample && near > first * nearest_part; near /= 2) {
         const double here = place;
+        const double before = result.least;
         seen(here - near);
         seen(here + near);
+        drop = before - result.least;
+    }
+    if (drop > std::fabs(result.least) / 4) {  // towards a pole
+        result = sampled;
+        place = sampled_place;
     }
     // Where V has risen by s within 1/sqrt(s).
     const auto contains = [&](double size) {
