@@ -21,7 +21,9 @@ constexpr const char* scalar_option = "--scalar";
 constexpr std::string_view typed_ending = "_typed";
 
 // An axis whose option has no argument, with the single value "yes".
-bool takes_no_argument(const axis& along) { return along.option == "--prove"; }
+constexpr const char* prove_option = "--prove";
+
+bool takes_no_argument(const axis& along) { return along.option == prove_option; }
 
 // The items of an axis; for an axis of words, the words between commas.
 std::vector<grid_item> items_of(const axis& along, const std::string& words) {
@@ -132,6 +134,10 @@ const axis& axis_of(const study& what, const std::string& option) {
 void require_own(const study& what, const study_words& words) {
     for (const auto& [option, value] : words) {
         if (std::ranges::find(what.parameters, option, &study_parameter::option) == what.parameters.end()) {
+            if (option == prove_option) {
+                throw input_error(option + " is not a parameter of the study " + what.name +
+                                  ": leave it out; domb_sykes and root_test have it with --problem");
+            }
             throw input_error(option, value, "is not a parameter of the study " + what.name, "leave it out");
         }
     }
