@@ -247,8 +247,8 @@ inline proved_law law_of_unknown(const ode::explicit_system& system, const std::
     try {
         return {system, {.show = unknown}, proved_digits(digits)};
     } catch (const error& missing) {
-        const std::string of = system.unknowns().size() > 1 ? ", as to " + unknown + "," : "";
-        throw error(missing.kind(), "--prove", "", "has no law" + of + " for this problem, which " + missing.reason());
+        const std::string of = system.unknowns().size() > 1 ? " of " + unknown : "";
+        throw error(missing.kind(), "--prove", "", "has no law" + of + ": the problem " + missing.reason());
     }
 }
 
