@@ -68,7 +68,7 @@ target_link_libraries(libration-attack PRIVATE libration::ball fmt::fmt libratio
 target_compile_options(libration-attack PRIVATE $<$<CONFIG:Release>:-Og>)
 if(LIBRATION_BUILD_COMMAND)
     add_dependencies(libration-attack libration-command)
-    add_test(NAME attack COMMAND libration-attack statements 1000)
+    add_test(NAME attack COMMAND libration-attack statements 400)
     set_tests_properties(attack PROPERTIES TIMEOUT 600)
 endif()
 
@@ -196,7 +196,7 @@ if(words_python)
             COMMAND ${words_python} -I ${PROJECT_SOURCE_DIR}/check/certified.py --c logistic harmonic)
         set_tests_properties(certificates_by_the_checker_in_c PROPERTIES TIMEOUT 60)
         add_test(NAME forged_certificates
-            COMMAND ${words_python} ${PROJECT_SOURCE_DIR}/tests/certificates/forge.py --count 150
+            COMMAND ${words_python} ${PROJECT_SOURCE_DIR}/tests/certificates/forge.py --count 75
                 $<TARGET_FILE:libration-command> $<TARGET_FILE:libration-check>)
         set_tests_properties(forged_certificates PROPERTIES TIMEOUT 300)
     endif()

@@ -250,7 +250,7 @@ claim expansion_point_deduced() {
             .label = "sec:conclusions",
             .statement =
                 "Where the singularities are not known, the best point to expand about can be deduced numerically.",
-            .number = "largest |R'/R - 1| of radii R' from 60 coefficients, about 0, T*/4, ..., T*, E = 0.5, 1.71, 4",
+            .number = "largest |R'/R - 1| of radii R' from 60 coefficients, about 0, T*/2, T*, E = 0.5, 1.71, 4",
             .correction = "",
             .command = "./run study radius_map",
             .measure = [] {
@@ -259,10 +259,10 @@ claim expansion_point_deduced() {
                 for (const std::string_view energy : {"0.5", "1.71", "4"}) {
                     const sampled_arc arc(of_energy(energy));
                     mpfr before(1000);
-                    for (int quarter = 0; quarter <= 4; ++quarter) {
-                        const mpfr away = arc.period() * (4 - quarter) / 4;
+                    for (int half = 0; half <= 2; ++half) {
+                        const mpfr away = arc.period() * (2 - half) / 2;
                         const mpfr exact = sqrt(away * away + arc.height() * arc.height());
-                        const mpfr deduced = deduced_radius(of_energy(energy), rational(quarter, 4));
+                        const mpfr deduced = deduced_radius(of_energy(energy), rational(half, 2));
                         worst = std::max(worst, mpfr(abs(deduced / exact - 1)));
                         largest_at_top = largest_at_top && deduced < before;
                         before = deduced;

@@ -26,8 +26,8 @@ TEST_CASE("the option --check proves values, events, unknowns, radii, positions 
                      "--digits", "15"});
     check_confirmed({"find", "--problem", "y' = k*y; y(0)=1; k=0.6", "--unknown", "k", "--such-that", "y(1) = 2"});
     check_confirmed({"find", "--problem", "van_der_pol", "--periodic", "--digits", "12"});
-    check_confirmed({"radius", "--problem", "y' = 1+y^2; y(0)=1", "--prove", "--digits", "3"});
-    check_confirmed({"singularities", "--problem", "y' = 1+y^2; y(0)=1", "--prove", "--digits", "8"});
+    check_confirmed({"radius", "--problem", "y' = 1+y^2; y(0)=0", "--prove", "--digits", "3"});
+    check_confirmed({"singularities", "--problem", "y' = 1+y^2; y(0)=0", "--prove", "--digits", "8"});
     check_confirmed({"coefficients", "--problem", "y' = 1+y^2; y(0)=1", "--order", "70", "--scalar", "ball:40"});
 }
 

@@ -1,5 +1,5 @@
 // Every study, with few parameters: it runs, it keeps the contract of its columns, and its bytes do not depend on the
-// number of threads. A new study is in here by itself.
+// number of threads and the other cells. A new study is in here by itself.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "sweep/cell_engine.hpp"
-#include "sweep/study_order.hpp"
+#include "studies/study_rows.hpp"
 
 namespace studies_all_studies_test {
 
 using namespace libration;
+using namespace libration::tests;
 
 namespace {
 
@@ -124,18 +124,20 @@ TEST_CASE("each study describes its parameters, and their usual words are unders
     }
 }
 
-TEST_CASE("each study makes rectangular tables under the columns that it promised, the same by one job and by two",
-          "[studies]") {
+TEST_CASE("each study makes rectangular tables under the columns that it promised, the same by one cell at a time",
+          "[studies][journal]") {
     for (const study* each : studies_of_own_problems()) {
         INFO(each->name);
         const auto tables = tables_of(few_parameters(*each, 2));
-        const auto by_one_job = tables_of(few_parameters(*each, 1));
         REQUIRE_FALSE(tables.empty());
-        REQUIRE(tables.size() == by_one_job.size());
-        for (std::size_t i = 0; i < tables.size(); ++i) {
-            INFO(tables[i].suffix);
-            CHECK(tables[i].suffix == by_one_job[i].suffix);
-            CHECK((tables[i].timed || to_csv(tables[i].data) == to_csv(by_one_job[i].data)));
+        if (!each->alone) {  // otherwise its rows are times
+            const auto by_cells = tables_cell_by_cell(few_parameters(*each, 1));
+            REQUIRE(tables.size() == by_cells.size());
+            for (std::size_t i = 0; i < tables.size(); ++i) {
+                INFO(tables[i].suffix);
+                CHECK(tables[i].suffix == by_cells[i].suffix);
+                CHECK((tables[i].timed || to_csv(tables[i].data) == to_csv(by_cells[i].data)));
+            }
         }
         std::set<std::string> suffixes;
         for (const study_table& part : tables) {
@@ -156,29 +158,6 @@ TEST_CASE("each study makes rectangular tables under the columns that it promise
         }
         CHECK(suffixes.size() == tables.size());  // each table has a file of its own
         CHECK(suffixes.contains(""));             // and one of them is NAME.csv, which the figure reads
-    }
-}
-
-TEST_CASE("the rows of a cell do not depend on what is computed with it", "[studies][journal]") {
-    for (const study* each : studies_of_own_problems()) {
-        if (each->alone) {
-            continue;  // its rows are times
-        }
-        const study_order order = few_parameters(*each, 1);
-        const study_cells of(order);
-        for (std::size_t i = 0; i < of.plan().groups; ++i) {
-            const std::size_t size = of.plan().group(i).cells.size();
-            group_work all{i, {}};
-            for (std::size_t which = 0; which < size; ++which) {
-                all.cells.push_back(which);
-            }
-            const auto together = of.compute(all);
-            for (std::size_t which = 0; size > 1 && which < size; ++which) {
-                INFO(each->name << ": " << together[which].inputs);
-                CHECK_FALSE(together[which].failed);
-                CHECK(of.compute({i, {which}}).front().content == together[which].content);
-            }
-        }
     }
 }
 

@@ -12,8 +12,9 @@ using namespace libration;
 using namespace libration::tests;
 
 // y = 1/(1 + e^-t) from y(0) = 1/2. Of y = c/(c + (1 - c) e^-t) dy/dc c/y is e^-t/(c + (1 - c) e^-t), at c = 1/2 2 e^-t
-// y; t y'/y is t (1 - y). Three digits are printed.
-TEST_CASE("reference values of the logistic equation and their condition numbers", "[studies][proved]") {
+// y; t y'/y is t (1 - y). Three digits are printed. The poles are at i pi (2 k + 1).
+TEST_CASE("reference values of the logistic equation, their condition numbers and the nearest singularity",
+          "[studies][proved]") {
     const precision_scope scope(40);
     const auto rows =
         rows_by_suffix("reference_problems", {{"--problems", "logistic"}, {"--scalar", "ball:30"}}).at("");
@@ -28,6 +29,9 @@ TEST_CASE("reference values of the logistic equation and their condition numbers
         CHECK(abs(mpfr(number_of(row.at("condition_time")) - by_time)) <= by_time / 100);
         CHECK(row.at("condition_parameters") == "0");
         CHECK(row.at("changed_digit").empty());  // 1/2 is a double
+        CHECK(abs(mpfr(number_of(row.at("singularity_re")))) < 1e-3);
+        CHECK(abs(mpfr(number_of(row.at("singularity_im")) - pi<mpfr>())) < 1e-3);
+        CHECK(abs(mpfr(number_of(row.at("radius")) - sqrt(mpfr(t * t + pi<mpfr>() * pi<mpfr>())))) < 1e-3);
         CHECK(row.at("rigour") == "proved");
     }
 }
@@ -50,7 +54,7 @@ TEST_CASE("reference values of a stiff problem are those of its closed form at e
 }
 
 // 2.73 and 0.0178 are no doubles: their roundings, at most 2^-53 of them, change a digit about the 16th.
-TEST_CASE("a parameter that is no double changes a digit", "[studies][proved]") {
+TEST_CASE("a parameter that is no double changes a digit", "[.long][studies][proved]") {
     const auto rows = rows_by_suffix("reference_problems", {{"--problems", "sir"}, {"--scalar", "ball:20"}}).at("");
     REQUIRE(rows.size() == 16);
     for (const table_row& row : rows) {
@@ -70,19 +74,6 @@ TEST_CASE("reference values keep their invariants to the digits that they have",
     CHECK(abs(mpfr(number_of(rows[1].at("value")) - mpfr(4) / 5)) <= pow(mpfr(10), -30));
     for (const table_row& row : rows) {
         CHECK(number_of(row.at("difference")) < 100 * pow(mpfr(10), -30));  // a few units of values up to 2
-    }
-}
-
-// The poles of the logistic function are at i pi (2 k + 1).
-TEST_CASE("reference values tell the nearest singularity", "[studies][proved]") {
-    const auto rows =
-        rows_by_suffix("reference_problems", {{"--problems", "logistic"}, {"--scalar", "ball:30"}}).at("");
-    const precision_scope scope(30);
-    for (const table_row& row : rows) {
-        const mpfr t = number_of(row.at("time"));
-        CHECK(abs(mpfr(number_of(row.at("singularity_re")))) < 1e-3);
-        CHECK(abs(mpfr(number_of(row.at("singularity_im")) - pi<mpfr>())) < 1e-3);
-        CHECK(abs(mpfr(number_of(row.at("radius")) - sqrt(mpfr(t * t + pi<mpfr>() * pi<mpfr>())))) < 1e-3);
     }
 }
 

@@ -30,6 +30,20 @@ inline std::vector<study_table> tables_of_study(const std::string& name, const s
     return tables_of(order_of(what, said, 2));
 }
 
+/// The tables of an order whose cells are computed one at a time.
+inline std::vector<study_table> tables_cell_by_cell(const study_order& order) {
+    const study_cells of(order);
+    memory_store store;
+    for (std::size_t i = 0; i < of.plan().groups; ++i) {
+        for (std::size_t which = 0; which < of.plan().group(i).cells.size(); ++which) {
+            store.add(of.compute({i, {which}}));
+        }
+    }
+    gathered_tables gathered = gather(of, store);
+    without_repetitions(gathered.tables);
+    return std::move(gathered.tables);
+}
+
 /// The rows of a table as its CSV holds them, quoted cells included.
 inline std::vector<table_row> rows_of_table(const study_table& part) {
     const table read = from_csv(to_csv(part.data));

@@ -160,7 +160,7 @@ TEST_CASE("two runs in mpfr agree on proved digits", "[ode][stiff]") {
 }
 
 // As the Test Set for IVP Solvers prints them; a run in long double differs from the first one by 1.7e-12 of itself.
-TEST_CASE("the beam that is pulled until t = pi has the published angles at t = 5", "[ode][stiff]") {
+TEST_CASE("the beam that is pulled until t = pi has the published angles at t = 5", "[.long][ode][stiff]") {
     std::string text(problem_text("beam"));
     const auto pulled = part_of_stiff_march<double>(system_of(text), {time_of("pi")});
     REQUIRE_FALSE(pulled.missing);

@@ -141,17 +141,17 @@ std::vector<std::string> connection_map::names(const std::vector<std::string>& u
     return result;
 }
 
-bool connection_map::choose(const std::vector<double>& at, int side) {
+bool connection_map::choose(const std::vector<double>& at, int side, bool proved) {
     side_ = side;
     const auto split = static_cast<std::ptrdiff_t>(numbers() + left_coordinates());
     const auto all = static_cast<std::size_t>(-1);
-    if (left_ && !left_->choose({at.begin(), at.begin() + split}, all)) {
+    if (left_ && !left_->choose({at.begin(), at.begin() + split}, all, proved)) {
         return false;
     }
     const std::size_t others =
         numbers() + coordinates() + (left_ && left_->variables() > 0 ? left_->variables() - 1 : 0);
     const bool limited = fast_ && dimension() > others;
-    return right_->choose(right_numbers(at), limited ? dimension() - others : all);
+    return right_->choose(right_numbers(at), limited ? dimension() - others : all, proved);
 }
 
 std::vector<double> connection_map::right_numbers(const std::vector<double>& x) const {

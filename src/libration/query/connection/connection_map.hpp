@@ -47,8 +47,8 @@ public:
     std::vector<std::string> names(const std::vector<std::string>& unknowns) const;
 
     /// Chooses coordinates at both ends for first guesses of numbers and coordinates, and the side of the start on a
-    /// curve. False if no manifold is proved there.
-    bool choose(const std::vector<double>& at, int side);
+    /// curve. False if no manifold is proved there; without `proved` no proof is tried.
+    bool choose(const std::vector<double>& at, int side, bool proved = true);
     /// Whether the equations or the limits depend on a free number.
     bool depends_on_numbers() const;
     /// Whether the end is reached along the fastest of the directions alone.

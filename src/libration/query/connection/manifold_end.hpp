@@ -32,8 +32,9 @@ public:
     std::vector<double> theta_near(const std::vector<double>& numbers, const std::vector<double>& given) const;
 
     /// Chooses the coordinates for these numbers, such that the series converges well for |theta| <= 1; a later call keeps
-    /// them fixed. At most so many directions, the fastest. False if no proof is found there with any scale.
-    bool choose(const std::vector<double>& numbers, std::size_t most);
+    /// them fixed. At most so many directions, the fastest. False if no proof is found there with any scale; without
+    /// `proved` none is tried, and the scale is that of the first terms.
+    bool choose(const std::vector<double>& numbers, std::size_t most, bool proved = true);
     /// The size of theta for which the number of terms is balanced.
     double good_radius() const;
     int least_degree() const;
