@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "libration/equation/text/limit_condition.hpp"
 #include "libration/equation/text/parse.hpp"
 #include "problem_options.hpp"
+#include "text/input_error.hpp"
 
 namespace libration {
 
@@ -14,6 +16,7 @@ std::vector<std::string> problem_options::take_limits() {
         return {};
     }
     ode::separated_text separated;
+    std::optional<std::string> started;
     try {
         separated = ode::with_limits_separated(problem_named(*problem_).text);
         if (separated.limits.empty()) {
@@ -28,11 +31,22 @@ std::vector<std::string> problem_options::take_limits() {
         for (const std::string& name :
              ends_at("(-inf)") && ends_at("(inf)") ? system.unknowns() : std::vector<std::string>()) {
             for (int order = 0; order < highest.at(name); ++order) {
+                const auto of = ode::unknown(name, order);
+                if (std::ranges::any_of(system.starts,
+                                        [&](const ode::start& each) { return same_form(each.of, of); })) {
+                    started = ode::primed(name, order);
+                }
                 separated.problem += fmt::format("\n{}(0) = 0", ode::primed(name, order));
             }
         }
     } catch (const error&) {
         return {};  // reported where the problem is read
+    }
+    if (started) {
+        throw input_error("--problem", *started,
+                          "has an initial value beside limits at both ends, which determine an orbit up to its time",
+                          "leave the value out, or, where the orbit is symmetric about it, one of the ends: u(0) = pi; "
+                          "u(inf) = 2*pi; --unknown \"u'(0)\"");
     }
     with_limits_ = problem_;
     problem_ = separated.problem;
