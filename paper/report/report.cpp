@@ -49,7 +49,8 @@ std::string claims_part(const std::vector<published_claim>& all) {
         "mathematics, {} wording. `./run claims NAME` measures one again, `./run claims fig:subcrit` or `./run claims\n"
         "\"Figure 4\"` those that concern a label or a printed number, `./run test -R 'claim NAME'` runs its test, "
         "and\n"
-        "[errata.md](errata.md) explains what does not hold. The label is that of the paper's LaTeX source, followed by\n"
+        "[errata.md](errata.md) explains what does not hold. The label is that of the paper's LaTeX source, followed "
+        "by\n"
         "the printed number. Tables: [claims.csv](claims.csv), [claims.tex](claims.tex).\n\n",
         claims.size(), claims_with(claims, verdict::holds).size(), claims_with(claims, verdict::corrected).size(),
         claims_with(claims, verdict::fails).size(), claims_of_severity(claims, "formula").size(),

@@ -256,6 +256,7 @@ std::optional<connection_map::start> connection_map::start_on_manifold(const std
 std::vector<double> connection_map::start_near(const std::vector<double>& x) const {
     const precision_scope scope(decimal_digits(128));
     std::vector<ball> at;
+    at.reserve(x.size());
     for (const double each : x) {
         at.push_back(exactly(each));
     }
