@@ -56,7 +56,7 @@ inline mpfr exponent_at(const leading_polynomials& q, const complex_number<mpfr>
 inline mpfr sensitivity_of_exponent(const series::power_series<mpfr>& top, const complex_number<mpfr>& w,
                                     const mpfr& e) {
     if (e == 0 || top.order() < 2) {
-        return mpfr(0);
+        return 0;
     }
     auto slope = series::power_series<mpfr>::zero(top.order() - 1);
     for (int j = 1; j <= top.order(); ++j) {

@@ -94,8 +94,11 @@ std::vector<ball> part_of(const std::vector<ball>& x, std::size_t first, std::si
 }  // namespace
 
 connection_map::connection_map(const equation_system& system, const std::vector<std::string>& unknowns,
-                               const std::vector<limit_condition>& limits, const proof_route& route, march_watch watch)
-    : open_(opened_for(system, unknowns, limits)), form_(open_.system), route_(route), watch_(std::move(watch)) {
+                               const std::vector<limit_condition>& limits, proof_route route, march_watch watch)
+    : open_(opened_for(system, unknowns, limits)),
+      form_(open_.system),
+      route_(std::move(route)),
+      watch_(std::move(watch)) {
     require_autonomous(form_, open_.system);
     const polynomial_form lifted = lifted_about_points(open_.system);
     right_ = end_in(open_, form_, lifted, limits, 1);

@@ -29,7 +29,7 @@ using start_rule =
 class connection_map {
 public:
     connection_map(const equation_system& system, const std::vector<std::string>& unknowns,
-                   const std::vector<limit_condition>& limits, const proof_route& route, march_watch watch);
+                   const std::vector<limit_condition>& limits, proof_route route, march_watch watch);
 
     const parametric_system& open() const { return open_; }
     const first_order_form& form() const { return form_; }

@@ -65,6 +65,7 @@ std::vector<double> flat_state(const solution_state<double>& state) {
 
 std::vector<double> doubles_of(const std::vector<ball>& state) {
     std::vector<double> result;
+    result.reserve(state.size());
     for (const ball& each : state) {
         result.push_back(as_double(each));
     }
@@ -153,6 +154,7 @@ private:
         for (const auto& direction : directions(end.variables(), result_.names.size())) {
             const auto theta_at = [&](double part) {
                 std::vector<ball> theta;
+                theta.reserve(direction.size());
                 for (const double each : direction) {
                     theta.push_back(exactly(each * end.good_radius() * part));
                 }

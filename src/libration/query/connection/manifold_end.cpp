@@ -20,6 +20,7 @@ constexpr long bits_of_plan = 128;
 
 std::vector<complex_ball> complex_of(const std::vector<ball>& numbers) {
     std::vector<complex_ball> result;
+    result.reserve(numbers.size());
     for (const ball& each : numbers) {
         result.emplace_back(each, ball(0));
     }
@@ -28,6 +29,7 @@ std::vector<complex_ball> complex_of(const std::vector<ball>& numbers) {
 
 std::vector<ball> exact_balls(const std::vector<double>& numbers) {
     std::vector<ball> result;
+    result.reserve(numbers.size());
     for (const double each : numbers) {
         result.push_back(exactly(each));
     }
