@@ -149,7 +149,7 @@ void take_equation(list_verdict& verdict, const radius_report<T>& report) {
             verdict.count = found.count;
             verdict.exact = true;
             verdict.used = verdict.pattern.order;
-            verdict.note = "the list is short, and satisfies a linear differential equation";
+            verdict.note = "the short list satisfies a linear differential equation";
             return;
         }
     }
