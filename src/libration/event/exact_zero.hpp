@@ -23,7 +23,7 @@ struct exact_zero {
 };
 
 /// A zero of order 2 .. 8 of a function of the variable alone, one of simple_numbers_in of a ball of times or of one that is
-/// wider by 2^-16 of it. g^(k) excludes 0 on the hull of the ball and t0, where t0 is the only zero: g(t) = g^(k)(x) (t -
+/// wider by 2^-16 of it, or 0. g^(k) excludes 0 on the hull of the ball and t0, where t0 is the only zero: g(t) = g^(k)(x) (t -
 /// t0)^k/k! with x between t and t0.
 std::optional<exact_zero> exact_zero_near(const expression& g, const ball& times);
 
