@@ -60,7 +60,7 @@ std::optional<exact_zero> exact_zero_near(const expression& g, const ball& times
     std::vector<number> candidates = simple_numbers_in(times);
     const ball around = widened(times, magnitude(times).shifted(-bits_of_neighbourhood));
     std::ranges::copy(simple_numbers_in(around), std::back_inserter(candidates));
-    candidates.emplace_back();  // 0, which no ball beside it contains
+    candidates.emplace_back();  // 0, which no ball next to it contains
     for (const number& each : candidates) {
         const ball both = hull(times, constant_value<ball>::of(each));
         const auto value = [&](const expression& e) { return expression_values<ball>({}, both).of(e); };
