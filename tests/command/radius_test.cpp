@@ -179,6 +179,31 @@ TEST_CASE("every fixed scalar gives its verdict, also where the coefficients are
     }
 }
 
+// C_n = (2n)!/(n! (n+1)!) are the coefficients of (1 - sqrt(1 - 4x))/(2x).
+TEST_CASE("ten Catalan numbers have the radius 1/4 by their equation, ten random digits none", "[command][radius]") {
+    const auto list = [](const std::vector<int>& values) {
+        std::string text;
+        for (std::size_t n = 0; n < values.size(); ++n) {
+            text += std::to_string(n) + "," + std::to_string(values[n]) + "\n";
+        }
+        return text;
+    };
+    const auto verdict = rows_about(list({1, 1, 2, 5, 14, 42, 132, 429, 1430, 4862}), {}).at(0);
+    check_close(verdict.at("radius"), mpfr(1) / 4, mpfr(1), "1e-45");
+    check_close(verdict.at("exponent"), mpfr(1) / 2, mpfr(1), "1e-45");
+    CHECK(rows_about(list({3, 1, 4, 1, 5, 9, 2, 6, 5, 3}), {}).at(0).at("radius").empty());
+}
+
+// -x_c is a weaker singularity on the same circle, with another exponent.
+TEST_CASE("the count of a verdict is that of the singularities of its kind", "[command][radius]") {
+    const auto done = run_libration(
+        {"radius", "--coefficients", LIBRATION_LISTS "walks_square.csv", "--order", "40", "--format", "csv"});
+    REQUIRE(done.exit_code == 0);
+    const auto verdict = csv_rows(done.out).at(0);
+    CHECK(verdict.at("kind") == "algebraic");
+    CHECK(verdict.at("count") == "1");
+}
+
 TEST_CASE("the tangent in a file has two simple poles at pi/2 and -pi/2", "[command][radius]") {
     const auto verdict = rows_about(tangent(120), {"--scalar", "mpfr:40"}).at(0);
     const precision_scope scope(80);

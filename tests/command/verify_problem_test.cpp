@@ -57,7 +57,7 @@ TEST_CASE("verify refuses a column that it cannot compare", "[command][verify]")
     const auto refused = verify(rows, {"--problem", oscillator});
     CHECK(refused.exit_code == 2);
     CHECK(
-        says(refused, "has the column 'v', which is none of 'x', 'x'': write --columns v=- to leave it out, or v=x'"));
+        says(refused, "has the column 'v', which is none of 'x', 'x'': write --rename v=- to leave it out, or v=x'"));
     CHECK(verify(rows, {"--problem", oscillator, "--columns", "v=-"}).exit_code == 0);
     const auto compared = verify(rows, {"--problem", oscillator, "--columns", "v=x'"});
     CHECK(compared.exit_code == 1);

@@ -107,7 +107,8 @@ TEST_CASE("wrong systems are told what is wrong", "[ode][explicit_system]") {
     const std::vector<std::pair<std::string, std::string>> wrong{
         {"y'' = y; y(0) = 1", "problem 'y'' has no initial value: add y'(0) = number"},
         {"y' = y; y(0) = 1; y(1) = 2",
-         "problem 'y' at line 1, column 19 has another initial point than y: give all initial values at one point"},
+         "problem 'y' at line 1, column 19 has another initial point than y: give all initial values at one point, or "
+         "leave out the condition elsewhere and solve for an initial value with `libration find --such-that`"},
         {"y' = y; y(0) = 1; y(0) = 1", "problem 'y' at line 1, column 19 has two initial values: give it only one"},
         {"y' = y; y(0) = 1; y'(0) = 1",
          "problem 'y'' at line 1, column 19 has no free initial value, since the equations determine it: leave it out"},

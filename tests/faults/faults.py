@@ -457,6 +457,7 @@ FAULTS = [
         ("a product divided in both factors", "written_sum(written_product(*a, e.right()), written_product(expression(*a0), *b))",
          "written_sum(written_product(*a, e.right()), *b)"),
         ("the logarithm without its scale", "number(rational(1)) / (a0 * scale)", "number(rational(1)) / a0"),
+        ("Lambert's function without its exponential", "expression(apply(exp, -w0)) / (ode::exp(v)", "expression(1) / (expression(1)"),
         ("the cosine of the zero in place of the mean", "is(sin) ? ode::cos(middle)", "is(sin) ? ode::cos(a)"),
     ),
     *in_file(
@@ -899,8 +900,25 @@ FAULTS = [
     *in_file(
         "src/libration/hybrid/branch_search.cpp", ["problem/branches_test.cpp"],
         ("the limit of the first statement", "certainly_less(lower_bound(*each.limit), lower_bound(*blocking->limit))", "false"),
+    ),
+    *in_file(
+        "src/libration/event/exact_zero.cpp", ["problem/branches_test.cpp"],
         ("a common time that is no zero", "return here.kind() == node_kind::constant && here.constant().sign() == 0;",
          "return here.kind() == node_kind::constant;"),
+    ),
+    *in_file(
+        "src/libration/event/zero_search.cpp", [EVENTS],
+        ("a zero of order 2 that is crossed", "const bool touches = zero.order % 2 == 0;", "const bool touches = false;"),
+    ),
+    *in_file(
+        "src/libration/query/exact_zeros.cpp", ["query/exact_zeros_test.cpp"],
+        ("a tiny initial value forgotten", "of.start * apply(function_kind::cos, turned) +", ""),
+        ("damping forgotten", "others && is_proved_zero(own->first + others->second)", "others"),
+        ("a force forgotten", "!is_identically_zero(slope - by_a * a - by_b * b)", "false"),
+    ),
+    *in_file(
+        "src/libration/hybrid/emptied_store.cpp", [SLIDING],
+        ("an inflow or a jump where a store is empty", "if (!is_identically_zero(jump)) {", "if (false) {"),
     ),
     *in_file(
         "src/libration/query/time_order.hpp", ["problem/branches_test.cpp"],
@@ -920,6 +938,8 @@ FAULTS = [
     ),
     *in_file(
         "src/libration/equation/text/piecewise.cpp", ["problem/branches_test.cpp", "equation/hybrid_text_test.cpp"],
+        ("a square taken for positive", "if_nonzero(factors.squared, if_positive(factors.rest, a, b), b)",
+         "if_positive(factors.rest, a, b)"),
         ("equality left out of >=", "return holds.or_equal ? if_not_negative", "return false ? if_not_negative"),
         ("equality kept in the opposite", "1 - parameter(name_of_nonnegative(found.parameter))",
          "1 - parameter(name_of_positive(found.parameter))"),

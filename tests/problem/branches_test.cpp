@@ -66,6 +66,33 @@ TEST_CASE("step functions inside others have the values of their arguments", "[p
     });
 }
 
+// By hand, piece by piece; a single moment counts for nothing.
+TEST_CASE("conditions whose sides touch are those on both sides of the moment", "[problem][hybrid][touching]") {
+    const precision_scope scope(60);
+    const mpfr two(2);
+    const mpfr five(5);
+    const mpfr angles = pi<mpfr>() * 5 / 4 - 2 * atan(two) + (log(five) - log(two)) / 2;
+    check_values({
+        {"y' = if((t - 1)^2 != 0, 1, 0); y(0) = 0", "2", "y", 2},
+        {"y' = if((t - 1)^2 == 0, 5, 1); y(0) = 0", "2", "y", 2},
+        {"y' = if(t^2 - 2*t + 1 > 0, 1, 0); y(0) = 0", "2", "y", 2},
+        {"y' = if((t - 1)^2*(3 - t) > 0, 1, 2); y(0) = 0", "4", "y", 5},
+        {"y' = sign((t - 1)^2*(t - 2)); y(0) = 0", "3", "y", -1},
+        {"y' = sign(t^3 - 3*t^2 + 3*t - 1); y(0) = 0", "3", "y", 1},
+        {"y' = if(1 - cos(t) > 0, 1, 0); y(1) = 0", "7", "y", 6},
+        {"y' = if(sin(t) < 1, 1, 0); y(0) = 0", "3", "y", 3},
+        {"y' = if(cos(t) < 1, 2, 5); y(-1) = 0", "7", "y", 16},
+        {"y' = 1 + floor(2 - (t - 1)^2/2); y(0) = 0", "2", "y", 4},
+        {"x' = 1; y' = if((x - 1)^2*(3 - x) > 0, 1, 0); x(0) = 0; y(0) = 0", "4", "y", 3},
+        {"x' = 1; y' = if(x^2*(x - 1)^4 >= 0, 1, 0); x(0) = -1; y(0) = 0", "4", "y", 4},
+        {"y' = atan2(t - 1, -1); y(0) = 0", "3", "y", angles},
+    });
+    // Where the square is 0 for some time, its condition is as written.
+    check_values({{"y' = if((max(t, 1) - 1)^2 > 0, 1, 3); y(0) = 0", "3", "y", 5},
+                  {"y' = sign((max(t, 1) - 1)^2*(t - 4)); y(0) = 0", "3", "y", -2}});
+    CHECK_FALSE(refusal("x' = sign(x^2); x(0) = 0", "2").empty());
+}
+
 TEST_CASE("a condition that is an equality for some time holds as it is written", "[problem][hybrid]") {
     const precision_scope scope(60);
     check_values({

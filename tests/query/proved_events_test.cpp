@@ -88,6 +88,27 @@ TEST_CASE("what touches 0 is not decided, and an event that does not come before
     CHECK_THROWS_WITH(proved_events(explicit_system(system), request, 20), Catch::Contains("3 were found"));
 }
 
+TEST_CASE("zeros of higher order of functions of the time are found at exact numbers", "[ode][proved]") {
+    const std::string growth = "y' = y; y(0) = 1";
+    const std::string product = "(t - 1)^2*(t - 3)^3*(t - 4) = 0";
+    const auto found = events_of(growth, product, 3, 20);
+    const std::vector<long> times{1, 3, 4};
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        CHECK(mpfr(found[i].time.text) == times[i]);
+    }
+    const auto first = [&](crossing way) { return mpfr(events_of(growth, product, 1, 20, way)[0].time.text); };
+    CHECK(first(crossing::down) == 3);
+    CHECK(first(crossing::up) == 4);
+    CHECK(within_a_unit(events_of(growth, "1 - sin(t) = 0", 1, 20)[0].time, pi<ball>() / 2, 20));
+    // No zero of order 2, but two simple ones, or none.
+    CHECK(events_of(growth, "(t - 1)^2 = 1e-30", 2, 20).size() == 2);
+    const auto system = parse(growth);
+    event_request request;
+    request.g = parse_condition(system, "(t - 1)^2 + 1e-30 = 0");
+    request.before = number(rational(2));
+    CHECK_THROWS_AS(proved_events(explicit_system(system), request, 20), error);
+}
+
 TEST_CASE("backwards in time the first event is the last one before the start", "[ode][proved]") {
     const auto system = parse("y'' = -y; y(0) = 0; y'(0) = 1");
     event_request request;

@@ -3,7 +3,7 @@
 
     python3 tests/reference/perturbation_series.py [DIRECTORY]
 
-Writes blasius.csv, kepler_eccentricity.csv, mathieu_a0.csv, quartic_oscillator.csv and van_der_pol_frequency.csv into
+Writes blasius.csv, kepler_eccentricity.csv, mathieu_a0.csv, quartic_oscillator.csv, stokes_wave.csv and van_der_pol_frequency.csv into
 DIRECTORY (problems/series), in about a minute. Each recurrence is the one of the paper that its header names; the
 first coefficients are compared with the printed ones.
 """
@@ -130,11 +130,60 @@ def van_der_pol_frequency(order):
     return frequency
 
 
+def stokes_wave(order):
+    """c^2 k/g of gravity waves on deep water in powers of e^2, e = k (crest - trough)/2.
+
+    Babenko's equation c^2 |D| y = y + y |D| y + |D| y^2/2 (g = k = 1) for the elevation y = sum_n y_n exp(i n x) at the
+    conformal abscissa x, |D| exp(i n x) = |n| exp(i n x); first in powers of a = 2 y_1, then of e = 2 (y_1 + y_3 + ..).
+    """
+    top = 2 * order + 1
+    y = {n: {} for n in range(top + 1)}  # y[n][m]: the coefficient of a^m, y_-n = y_n
+    y[1][1] = Fraction(1, 2)
+    c2 = {0: Fraction(1)}
+
+    def products(n, m):
+        """The coefficient of a^m in the mode n of y |D| y + |D| y^2/2."""
+        total = Fraction(0)
+        for k in range(n - top, top + 1):
+            u, v = y[abs(k)], y[abs(n - k)]
+            factor = abs(k) + Fraction(n, 2)
+            if factor:
+                total += factor * sum(each * v[m - i] for i, each in u.items() if m - i in v)
+        return total
+
+    for m in range(2, top + 1):
+        for n in range(m % 2, m + 1, 2):
+            if n == 0:
+                y[0][m] = -products(0, m)
+            elif n == 1:
+                c2[m - 1] = 2 * (products(1, m) - sum(c2[j] * y[1].get(m - j, 0) for j in c2 if j > 0))
+            else:
+                known = products(n, m) - n * sum(c2[j] * y[n].get(m - j, 0) for j in range(2, m, 2))
+                y[n][m] = known / (n - 1)
+    # e = a s(a^2), in powers of b = a^2; then c^2 by powers of e^2 = b s(b)^2, from the lowest one up.
+    s = [2 * sum((y[n].get(2 * j + 1, Fraction(0)) for n in range(1, top + 1, 2)), Fraction(0)) for j in range(order + 1)]
+
+    def times(u, v):
+        return [sum(u[i] * v[j - i] for i in range(j + 1)) for j in range(order + 1)]
+
+    square = [Fraction(0)] + times(s, s)[:order]
+    rest = [c2.get(2 * j, Fraction(0)) for j in range(order + 1)]
+    power = [Fraction(1)] + [Fraction(0)] * order
+    result = []
+    for n in range(order + 1):
+        result.append(rest[n] / power[n])
+        rest = [r - result[n] * p for r, p in zip(rest, power)]
+        power = times(power, square)
+    assert result[:5] == [1, 1, Fraction(1, 2), Fraction(1, 4), Fraction(-22, 45)], result[:5]
+    return result
+
+
 LISTS = {
     blasius: (60, "f/x^2 in powers of x^3, f''' + f f''/2 = 0, f''(0) = 1 [Blasius 1908]"),
     kepler_eccentricity: (60, "E - pi/2 in powers of the eccentricity for the mean anomaly pi/2 [Lagrange 1771]"),
     mathieu_a0: (40, "characteristic value a_0 of Mathieu's equation in powers of q^2"),
     quartic_oscillator: (60, "ground state energy of p^2/2 + x^2/2 + g x^4 in powers of g [Bender and Wu 1969]"),
+    stokes_wave: (30, "squared speed of Stokes' waves on deep water in powers of the squared steepness [Schwartz 1974]"),
     van_der_pol_frequency: (30, "frequency of the limit cycle of van der Pol's equation in powers of epsilon^2"),
 }
 

@@ -51,6 +51,8 @@ PROBLEMS = [
     ("x' = 1; y' = atan(x)/x + asin(x/2)/x; x(0) = -1; y(0) = 0", 2, "y",
      lambda: integral(extended(lambda u: (mp.atan(u) + mp.asin(u / 2)) / u, 3 * half), -1, 1)),
     ("x' = 1; y' = sinc(x); x(0) = -1; y(0) = 0", 2, "y", lambda: integral(relative_sine, -1, 1)),
+    ("x' = 1; y' = lambertw(x)/x; x(0) = -1/4; y(0) = 0", 1, "y",
+     lambda: integral(lambda u: mp.exp(-mp.re(mp.lambertw(u))), -half / 2, 3 * half / 2)),
     ("V' = 2 - (25 - V)/(exp(25 - V) - 1); V(0) = 24", 1, "V",
      lambda: 25 - mp.findroot(lambda end: integral(lambda u: 1 / (bernoulli(u) - 2), 1, end) - 1, (0, -half))),
     ("y' = log(x)/(x^3 - 1); x' = 1; x(0) = 1/2; y(0) = 0", 1, "y",

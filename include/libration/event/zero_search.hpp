@@ -14,12 +14,13 @@
 namespace libration::ode {
 
 /// A zero of g, isolated in its enclosure, and the unknowns there. `way` is the direction as t increases, independent of
-/// that of the search; `any` if g touches 0 at the initial point.
+/// that of the search; `any` if g touches 0 without a change of its sign.
 struct proved_event {
     ball time;
     std::vector<ball> state;
     crossing way = crossing::any;
-    ball_matrix flow = {};  ///< the derivative of the flow up to that time, if it is kept
+    ball_matrix flow = {};               ///< the derivative of the flow up to that time, if it is kept
+    std::optional<number> exactly = {};  ///< the time of a zero of higher order (exact_zero_near)
 };
 
 /// The reason why a search returns no event.
@@ -31,6 +32,8 @@ enum class search_end {
     steps,      ///< the steps of the integrator become too small, as near a singularity
     undecided   ///< in undecided() this precision does not determine whether g has a zero
 };
+
+struct exact_zero;
 
 /// An interval of times in which g is not distinguished from 0, with |g| <= value and |g'| <= slope there.
 struct undecided_place {
@@ -72,6 +75,8 @@ struct set_start {
 ///     gamma is monotone before and after it, if the signs of gamma' at its ends prove it.
 /// On a step of theorem K gamma'(S) is enclosed by g_t(y) + sum_i g_(y_i)(y) y_i', y_i' from step::slopes, as
 /// large terms of f cancel along a stiff solution; gamma'' is not used there.
+///   - A function of t alone that is not decided on S may have a zero of higher order there at an exact number
+///     (exact_zero_near): of even order it touches 0, which is found if crossings in both directions are searched.
 ///   - otherwise S is halved, at 0 and over several orders of magnitude by exponents, so that no scale is favoured. If
 ///     the radius of gamma(m) is as large as the variation of gamma on S, halving is useless: `undecided`.
 /// The signs of joined pieces are those of points after the initial point: the sign directly after it is exact
@@ -165,6 +170,7 @@ private:
     std::optional<proved_event> examined(step_piece p);
     std::optional<proved_event> with_sign(int sign);
     std::optional<proved_event> passed(const step_piece& p, int slope);
+    std::optional<proved_event> at_exact_zero(const step_piece& p, const exact_zero& zero);
     std::optional<proved_event> joined();
     void add_part(step_piece p);
     bool narrowed_by_signs(step_piece& p) const;
@@ -194,6 +200,7 @@ private:
     ball time_;                           // its beginning, or the end of the one before
     long steps_ = 0;                      // up to there
     bool has_own_slopes_ = false;         // step::slopes
+    std::optional<number> touched_;       // the last time at which g touches 0
     std::optional<proved_event> beyond_;  // found behind the end of a search
     search_end end_ = search_end::none;
     std::optional<undecided_place> undecided_;

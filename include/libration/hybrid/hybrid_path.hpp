@@ -97,7 +97,7 @@ public:
     path_end end() const { return end_; }
     /// Why the path ends, for messages.
     const std::string& reason() const { return reason_; }
-    /// The steps that were searched for crossings on all branches up to now, for each surface.
+    /// The cost of the steps on all branches up to now, and of their searches for crossings, one for each surface.
     long steps() const;
     /// The number of events that change the solution or its branch.
     long events() const { return count_; }
@@ -115,6 +115,17 @@ private:
         std::vector<ball> state;
     };
 
+    // An unknown, the argument of a sign, with the slope -h^exponent outflow for h > 0 and 0 beyond.
+    struct emptying {
+        std::size_t step, leaf;
+        rational exponent;
+        expression outflow;
+    };
+
+    std::optional<emptying> emptying_of(std::size_t step, const std::vector<ball>& state) const;
+    bool is_in_other_argument(std::size_t step) const;
+    bool find_empty_store();
+    bool continue_emptied();
     void note_relations(const std::vector<std::size_t>& steps);
     std::shared_ptr<step_rule> rule_of_branch();
     void begin_steps();
@@ -159,6 +170,7 @@ private:
     long unobserved_ = 0;                    // on those after the last zero of the observed function, of one surface
     std::optional<path_event> next_;         // at which the branch ends
     std::vector<crossed_surface> crossed_;   // there
+    std::optional<std::size_t> emptied_;     // the sign of a store that is empty from then on
     std::vector<expression> reset_values_;   // of all resets there, also of those that a later one replaces
     std::optional<path_event> observed_event_;
     std::vector<ball> before_last_;  // on the branch before, at all times of the ball in which this one begins

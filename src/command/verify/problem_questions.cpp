@@ -77,7 +77,7 @@ void problem_layout::require_all_compared(const column_names& names) const {
         const bool compared = at == *time_ || std::ranges::find(compared_, at, &compared_column::at) != compared_.end();
         if (!compared && !names.is_ignored(at) && !describes_rows(own)) {
             throw input_error(
-                fmt::format("{} has the column {}, which is none of {}: write --columns {}=- to leave it out, or {}={} "
+                fmt::format("{} has the column {}, which is none of {}: write --rename {}=- to leave it out, or {}={} "
                             "to compare it",
                             names.file(), quotation(own), listed(names_), own, own, names_.back()));
         }

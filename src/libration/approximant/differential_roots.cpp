@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <map>
 #include <utility>
 
 #include "libration/algebra/polynomial_roots.hpp"
@@ -74,9 +75,6 @@ public:
         while (q_.back().size() > 1 && q_.back().back() == 0) {
             q_.back().pop_back();
         }
-        for (int m = 0; m <= 3; ++m) {
-            top_.push_back(taylor_coefficient(q_.back(), m));
-        }
     }
 
     std::vector<differential_root> all() {
@@ -94,6 +92,17 @@ public:
     }
 
 private:
+    // Q_k^(m)/m!, kept.
+    const polynomial& taylor(std::size_t k, int m) const {
+        if (m == 0) {
+            return q_[k];
+        }
+        const auto known = derivatives_.find({k, m});
+        return known != derivatives_.end()
+                   ? known->second
+                   : derivatives_.emplace(std::pair(k, m), taylor_coefficient(q_[k], m)).first->second;
+    }
+
     bool within_annulus(const complex_double& z) const {
         return std::abs(z) > within_.inner && std::abs(z) < within_.outer;
     }
@@ -190,15 +199,14 @@ private:
     // Newton's iteration for the zero of Q_M^(m-1), divided by z - `without` if that is given.
     std::optional<complex_number<mpfr>> newton(complex_number<mpfr> z, int multiplicity,
                                                const std::optional<complex_number<mpfr>>& without) const {
-        const auto m = static_cast<std::size_t>(multiplicity);
         const complex_number<mpfr> start = z;
         const mpfr size = modulus_of(z);
         if (abs(z.im) < size * 1e-14) {
             z.im = 0;
         }
         for (int step = 0; step < most_steps; ++step) {
-            const complex_number<mpfr> value = value_at(top_[m - 1], z);
-            complex_number<mpfr> slope = value_at(top_[m], z) * multiplicity;
+            const complex_number<mpfr> value = value_at(taylor(q_.size() - 1, multiplicity - 1), z);
+            complex_number<mpfr> slope = value_at(taylor(q_.size() - 1, multiplicity), z) * multiplicity;
             if (without) {
                 const complex_number<mpfr> away = z - *without;
                 if (away.re == 0 && away.im == 0) {
@@ -229,8 +237,7 @@ private:
     std::vector<complex_number<mpfr>> indicial_coefficients(const complex_number<mpfr>& z, int m, int e) const {
         std::vector<complex_number<mpfr>> c;
         for (int l = 0; l <= e; ++l) {
-            complex_number<mpfr> value =
-                value_at(taylor_coefficient(q_[static_cast<std::size_t>(order_ - l)], m - l), z);
+            complex_number<mpfr> value = value_at(taylor(static_cast<std::size_t>(order_ - l), m - l), z);
             for (int i = l; i < order_; ++i) {
                 value = value * z;
             }
@@ -263,7 +270,7 @@ private:
     bool vanishing_enough(const complex_number<mpfr>& z, int m) const {
         for (int l = 1; l < m; ++l) {
             for (int i = 0; i < m - l; ++i) {
-                const polynomial p = taylor_coefficient(q_[static_cast<std::size_t>(order_ - l)], i);
+                const polynomial& p = taylor(static_cast<std::size_t>(order_ - l), i);
                 polynomial sizes;
                 std::ranges::transform(p, std::back_inserter(sizes), [](const mpfr& c) { return mpfr(abs(c)); });
                 const mpfr terms = value_at(sizes, {modulus_of(z), mpfr(0)}).re;
@@ -327,7 +334,7 @@ private:
     root_annulus within_;
     bool exact_;
     std::vector<polynomial> q_;
-    std::vector<polynomial> top_;  ///< Q_M^(m)/m!
+    mutable std::map<std::pair<std::size_t, int>, polynomial> derivatives_;  ///< Q_k^(m)/m!
     std::vector<complex_number<long double>> fine_starts_;
     std::vector<complex_double> starts_;
     std::vector<std::optional<std::size_t>> neighbours_;

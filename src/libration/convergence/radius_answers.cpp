@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "libration/convergence/coefficient_floor.hpp"
@@ -130,6 +131,30 @@ void scale_lengths(list_verdict& verdict, const mpfr& unit) {
     }
 }
 
+// A list that is too short for the vote: the radius of a differential approximant that all of its coefficients satisfy to
+// the last bit.
+template <class T>
+void take_equation(list_verdict& verdict, const radius_report<T>& report) {
+    for (const auto& test : report.tests) {
+        if (test.radius && std::string_view(test.method).starts_with("differential-approximant") &&
+            test.uncertainty <= *test.radius * epsilon<T>() * T(1024)) {
+            const radius_estimate<mpfr> found = widened(test);
+            verdict.growth = growth_class::finite;
+            verdict.radius = found.radius;
+            verdict.uncertainty = found.uncertainty;
+            verdict.position = found.position;
+            verdict.exponent = found.exponent;
+            verdict.exponent_uncertainty = found.exponent_uncertainty;
+            verdict.kind = found.kind;
+            verdict.count = found.count;
+            verdict.exact = true;
+            verdict.used = verdict.pattern.order;
+            verdict.note = "the short list satisfies a linear differential equation";
+            return;
+        }
+    }
+}
+
 template <class T>
 radius_answers answers_in(const listed_series& list, int root, const task_runner& run) {
     radius_answers answers;
@@ -137,6 +162,10 @@ radius_answers answers_in(const listed_series& list, int root, const task_runner
     const T noise = list.written.empty() ? epsilon<T>() : noise_of<T>(list.written);
     const auto report = report_on_radius(found.scaled, noise);
     answers.verdict = std::move(found.verdict);
+    const bool is_exact = !list.written.empty() && as_written(list).noise == 0;
+    if (is_exact && !answers.verdict.radius && answers.verdict.growth == growth_class::unknown) {
+        take_equation(answers.verdict, report);
+    }
     // The radius may be out of the range of T even if the coefficients are not.
     const precision_scope scope(decimal_digits(digits<T>()) + radius_guard_digits);
     const mpfr length = widen(found.unit.length);

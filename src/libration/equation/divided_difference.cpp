@@ -118,6 +118,11 @@ std::optional<expression> anywhere(const expression& e, const number& a0) {
     if (is(tanh)) {
         return relative_hyperbolic_sine(h) / (expression(apply(cosh, a0)) * ode::cosh(a));
     }
+    if (is(lambertw)) {  // a = w exp(w), a0 = w0 exp(w0)
+        const number w0 = apply(lambertw, a0);
+        const expression v = e - expression(w0);
+        return expression(apply(exp, -w0)) / (ode::exp(v) + expression(w0) * ode::exprel(rational(1), v));
+    }
     return std::nullopt;
 }
 

@@ -39,6 +39,7 @@ public:
     ///     f(a) - f(a0) = (a - a0) times, with h = a - a0,
     ///         exp(a0) exprel(1, h), 1/(a0 exprel(1, log a - log a0)) for log, 1/(sqrt(a) + sqrt(a0)),
     ///         cos((a + a0)/2) sinc(h/2) for sin, -sin((a + a0)/2) sinc(h/2) for cos, sinc(h)/(cos(a) cos(a0)) for tan,
+    ///         exp(-w0)/(exp(v) + w0 exprel(1, v)) for w = lambertw(a), v = w - w0,
     /// and likewise for the hyperbolic functions with sinhc(h) = exp(-h) exprel(1, 2 h); for the inverse functions, erf not
     /// among them, at a0 = 0 by the same formula for v = atan(a), a = tan(v).
     std::optional<expression> difference(const expression& e, const number& u0);

@@ -231,7 +231,8 @@ void explicit_system::read_starts(const equation_system& given, parameter_values
         if (first != nullptr && !same_number(at, point_)) {
             refuse(name, each.at,
                    "has another initial point than " + primed(first->of.name(), first->of.derivative()) +
-                       ": give all initial values at one point");
+                       ": give all initial values at one point, or leave out the condition elsewhere and solve for an "
+                       "initial value with `libration find --such-that`");
         }
         first = first == nullptr ? &each : first;
         point_ = at;

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "emptied_store.hpp"
 #include "libration/equation/choice.hpp"
 #include "libration/equation/defined_zero.hpp"
 #include "libration/scalar/error.hpp"
@@ -217,7 +218,9 @@ void hybrid_system::read_starts(parameter_values& parameters) {
             }
             const number point = parameters.number_of(found->point);
             if (!first && (point - point_).sign() != 0) {
-                refuse(primed(name, j), found->at, "has another initial point: give all initial values at one point");
+                refuse(primed(name, j), found->at,
+                       "has another initial point: give all initial values at one point, or leave out the condition "
+                       "elsewhere and solve for an initial value with `libration find --such-that`");
             }
             point_ = point;
             first = false;
@@ -339,9 +342,10 @@ equation_system hybrid_system::equations(const step_values& values, const number
     return smooth;
 }
 
-// Where the solution slides, conditions on the sign are as written on the surface.
+// Where the solution slides or a store is empty, conditions on the sign are as written on the surface.
 std::vector<definition> hybrid_system::parameters_on(std::size_t step, const step_values& values) const {
-    return parameters_of(given_.steps[step], is_sliding(step, values) ? number() : values[step]);
+    const bool on_surface = is_sliding(step, values) || is_emptied(values[step]);
+    return parameters_of(given_.steps[step], on_surface ? number() : values[step]);
 }
 
 void hybrid_system::require_explicit(std::size_t step) const {
@@ -351,7 +355,8 @@ void hybrid_system::require_explicit(std::size_t step) const {
     }
 }
 
-// Where the argument of a sign remains 0, it and what the equations are on both sides of its surface have to be defined.
+// Where the argument of a sign remains 0, it and what the equations are on both sides of its surface have to be defined;
+// of a store that is empty only at 0, about which they are not analytic on one side.
 // Their parts are added behind all other occurrences of the unknowns, whose order is that of the state.
 void hybrid_system::keep_both_sides(std::size_t step, const step_values& values, equation_system& of) const {
     require_explicit(step);
@@ -365,7 +370,12 @@ void hybrid_system::keep_both_sides(std::size_t step, const step_values& values,
     };
     expression parts = zero_where_defined(argument(step, values));
     for (const equation& each : given_.equations) {
-        parts = parts + zero_where_defined(with_parameters(each.right, value, true));
+        const expression both = with_parameters(each.right, value, true);
+        parts =
+            parts +
+            zero_where_defined(!is_emptied(values[step]) ? both : replaced_as_written(both, [&](const expression& e) {
+                return same_form(e, argument(step, values)) ? std::optional(expression()) : std::nullopt;
+            }));
     }
     expression& last = of.equations.back().right;
     last = last + parts;
@@ -409,7 +419,8 @@ std::optional<number> hybrid_system::constant_step(std::size_t step, const step_
 }
 
 bool hybrid_system::is_at_rest(std::size_t step, const step_values& values) const {
-    return given_.steps[step].kind == step_kind::sign && (values[step].sign() == 0 || is_sliding(step, values)) &&
+    return given_.steps[step].kind == step_kind::sign &&
+           (values[step].sign() == 0 || is_sliding(step, values) || is_emptied(values[step])) &&
            argument(step, values).kind() != node_kind::constant;
 }
 

@@ -11,7 +11,7 @@ namespace libration::ode {
 number sliding_value() { return number(rational(1, 2)); }
 
 bool hybrid_system::is_sliding(std::size_t step, const step_values& values) const {
-    return given_.steps[step].kind == step_kind::sign && denominator(values[step].fraction().value()) != 1;
+    return given_.steps[step].kind == step_kind::sign && same_form(values[step], sliding_value());
 }
 
 expression hybrid_system::right_side_of(const expression& leaf, const step_values& values) const {

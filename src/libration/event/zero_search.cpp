@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "../algebra/dense_matrix.hpp"
+#include "exact_zero.hpp"
 #include "libration/integration/rule_for.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"
@@ -342,8 +343,60 @@ std::optional<proved_event> zero_search::examined(step_piece p) {
         case finding::open: split(p); return std::nullopt;
         case finding::undecided: break;
     }
+    const auto near = [&](const step_piece& whole) {
+        return exact_zero_near(g_, hull(time_ + whole.from * direction_, time_ + whole.to * direction_));
+    };
+    if (const auto zero = is_start(p) ? std::nullopt : near(p)) {
+        // With the pieces behind it for which the same holds, which need not be split.
+        for (bool more = true; more && !pieces_.empty() && !pieces_.back().beyond;) {
+            step_piece wider = p;
+            wider.to = pieces_.back().to;
+            const auto same = near(wider);
+            more = same && (same->time - zero->time).sign() == 0;
+            if (more) {
+                p = std::move(wider);
+                pieces_.pop_back();
+            }
+        }
+        return at_exact_zero(p, *zero);
+    }
     end_ = search_end::undecided;
     return std::nullopt;
+}
+
+// On the hull of the piece and a zero of order k, the only one there: g has the sign of g^(k) behind it, and that of (-1)^k
+// g^(k) before it. The next piece may contain the same zero at its beginning.
+std::optional<proved_event> zero_search::at_exact_zero(const step_piece& p, const exact_zero& zero) {
+    const bool touches = zero.order % 2 == 0;
+    const int behind = touches || direction_ > 0 ? zero.sign : -zero.sign;
+    const int before = touches ? behind : -behind;
+    const ball time = constant_value<ball>::of(zero.time);
+    const ball distance = time - time_;
+    if (known_sign(distance * direction_ - p.to) > 0) {
+        return with_sign(before);
+    }
+    if (known_sign(distance * direction_ - p.from) < 0) {
+        return with_sign(behind);
+    }
+    if (open_ && before != sign_) {  // there is a zero before this one
+        pieces_.push_back(p);
+        return with_sign(before);
+    }
+    const bool again = touched_ && (*touched_ - zero.time).sign() == 0;
+    if (!again && before != sign_) {
+        end_ = search_end::undecided;
+        return std::nullopt;
+    }
+    const crossing way = touches ? crossing::any : way_of_next();
+    touched_ = zero.time;
+    sign_ = behind;
+    open_ = false;
+    parts_.clear();
+    if (again || (way_ != crossing::any && way_ != way)) {
+        return std::nullopt;
+    }
+    return proved_event{time, sampled(distance).state, way,
+                        step_->from().derivative ? step_->derivative(distance) : ball_matrix(), zero.time};
 }
 
 // g has this sign from here on.

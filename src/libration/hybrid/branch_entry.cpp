@@ -173,6 +173,9 @@ bool hybrid_path::take() {
 bool hybrid_path::continue_on_branch() {
     last_time_ = next_->time;
     ++count_;
+    if (emptied_) {
+        return continue_emptied();
+    }
     const auto happening = happening_events();
     if (!happening) {
         return false;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "../equation/bound_text.hpp"
+#include "../event/exact_zero.hpp"
 #include "libration/scalar/error.hpp"
 
 namespace libration::ode {
@@ -14,19 +15,6 @@ namespace {
 
 // The number of steps by which the searches advance in turn.
 constexpr long steps_in_turn = 1;
-
-// The fraction with the least denominator between two numbers: their common integer part, and the inverse of the one
-// between the inverses of what remains.
-rational simplest_between(const rational& low, const rational& high) {
-    integer whole;
-    mpz_fdiv_q(whole.backend().data(), mpq_numref(low.backend().data()), mpq_denref(low.backend().data()));
-    if (low == whole) {
-        return low;
-    }
-    return high >= whole + 1
-               ? rational(whole + 1)
-               : rational(whole + 1 / simplest_between(rational(1 / (high - whole)), rational(1 / (low - whole))));
-}
 
 // The end of a search: no later than the given one and the end of a ball.
 void shorten(std::optional<number>& end, const ball& time) {
@@ -277,6 +265,9 @@ std::optional<found_crossing> branch_search::crossing_at(std::size_t first, cons
         }
     }
     found_crossing result{near, {}, watched_[first].found, watched_[first].of.of.time};
+    if (result.event && result.event->exactly) {
+        result.exactly = std::exchange(result.event, std::nullopt)->exactly;
+    }
     if (near.size() > 1) {
         result.event.reset();
         result.exactly = common_time(near);
@@ -302,13 +293,7 @@ std::optional<number> branch_search::common_time(const std::vector<std::size_t>&
             candidates = {*known};
             break;
         }
-        const ball& found = watched_[i].found->time;
-        for (const unit measure : {unit::one, unit::pi}) {
-            const ball within = found / enclosed_number(number(1, measure));
-            const rational low = *number_of(lower_bound(within)).fraction();
-            const rational high = *number_of(upper_bound(within)).fraction();
-            candidates.emplace_back(simplest_between(low, high), measure);
-        }
+        std::ranges::copy(simple_numbers_in(watched_[i].found->time), std::back_inserter(candidates));
     }
     const auto at = std::ranges::find_if(candidates, [&](const number& time) {
         return std::ranges::all_of(surfaces, [&](std::size_t i) { return is_zero_at(watched_[i], time); });
@@ -317,18 +302,12 @@ std::optional<number> branch_search::common_time(const std::vector<std::size_t>&
 }
 
 // Whether the zero that was found is at exactly this time.
-bool branch_search::is_zero_at(const watched& each, const number& time) try {
+bool branch_search::is_zero_at(const watched& each, const number& time) {
     if (const auto& known = each.of.of.time) {
         return (*known - time).sign() == 0;
     }
-    const expression& g = each.of.of.g;
-    if (g.has_unknowns() || !contains(each.found->time, enclosed_number(time))) {
-        return false;
-    }
-    const expression here = replaced(g, [&](const expression&) { return std::optional(expression(time)); });
-    return here.kind() == node_kind::constant && here.constant().sign() == 0;
-} catch (const error&) {  // not decided, or outside the domain of a function
-    return false;
+    return !each.of.of.g.has_unknowns() && contains(each.found->time, enclosed_number(time)) &&
+           is_exact_zero(each.of.of.g, time);
 }
 
 }  // namespace libration::ode

@@ -47,7 +47,9 @@ hybrid_path::hybrid_path(const hybrid_system& system, long bits, proof_route rou
 
 hybrid_path::~hybrid_path() = default;
 
-long hybrid_path::steps() const { return steps_ + (search_ ? search_->steps() : 0); }
+long hybrid_path::steps() const {
+    return steps_ + (search_ ? search_->steps() : 0) + (piece_->along ? piece_->along->cost() : 0);
+}
 
 bool hybrid_path::ended(path_end why, std::string reason) {
     end_ = why;
@@ -148,11 +150,12 @@ bool hybrid_path::is_observed(const surface& of, crossing way) const {
 
 bool hybrid_path::happens(const crossing_effect& event, crossing way) const {
     const crossing own = system_.events()[event.index].way;
-    return own == crossing::any || turned(own, event.orientation) == way;
+    return way != crossing::any && (own == crossing::any || turned(own, event.orientation) == way);
 }
 
+// A function that touches 0 has none: a single moment counts for nothing.
 bool hybrid_path::has_effect(const surface& of, crossing way) const {
-    return !of.steps.empty() ||
+    return (way != crossing::any && !of.steps.empty()) ||
            std::ranges::any_of(of.events, [&](const crossing_effect& each) { return happens(each, way); });
 }
 
@@ -169,7 +172,8 @@ bool hybrid_path::find(const std::optional<number>& end, const std::optional<num
     for (;;) {
         const auto found = search_->next(end, horizon);
         if (!found) {
-            return ended(search_->end(), search_->reason());
+            return (search_->end() == path_end::steps && find_empty_store()) ||
+                   ended(search_->end(), search_->reason());
         }
         path_event event = event_of(*found);
         const auto observed = std::ranges::find_if(

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "../equation/emptied_store.hpp"
 #include "branch_beginning.hpp"
 #include "libration/equation/identities.hpp"
 #include "libration/scalar/error.hpp"
@@ -96,6 +97,9 @@ private:
             return near->below;
         }
         const bool crossed = std::ranges::find(crossed_, i) != crossed_.end();
+        if (before_ && is_emptied((*before_)[i]) && !at_.is_reset(u)) {
+            return (*before_)[i];  // no other step influences it
+        }
         if (before_ && !crossed && !system_.is_at_rest(i, *before_) && same_form(u, system_.argument(i, *before_)) &&
             !at_.is_reset(u)) {
             return (*before_)[i];

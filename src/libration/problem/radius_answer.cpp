@@ -64,7 +64,8 @@ estimate_row row_of(const radius_estimate<mpfr>& estimate, const std::optional<m
 }
 
 // "2 simple poles", "1 pole of order 2", "4 logarithms", "3 algebraic branch points", "2 branch points".
-std::string kind_in_words(const radius_estimate<mpfr>& estimate) {
+// A list that satisfies no linear equation may be that of a natural boundary.
+std::string kind_in_words(const radius_estimate<mpfr>& estimate, bool exact) {
     const std::string plural = estimate.count == 1 ? "" : "s";
     std::string what = estimate.count == 1 ? "singularity" : "singularities";
     if (estimate.kind == singularity_kind::pole) {
@@ -77,17 +78,17 @@ std::string kind_in_words(const radius_estimate<mpfr>& estimate) {
     } else if (estimate.kind == singularity_kind::confluent) {
         what = "logarithm" + plural + " or pair" + plural + " of confluent powers";
     } else if (estimate.kind == singularity_kind::irregular) {
-        what = "irregular singular point" + plural;
+        what = "irregular singular point" + plural + (exact ? "" : " or natural boundary");
     }
     return estimate.count > 0 ? std::to_string(estimate.count) + " " + what : what;
 }
 
 // "2 simple poles at 1.57 and the point symmetric to it": number, kind and position of the nearest singularities.
-std::string nearest_in_words(const radius_estimate<mpfr>& estimate, const estimate_row& row) {
+std::string nearest_in_words(const radius_estimate<mpfr>& estimate, const estimate_row& row, bool exact) {
     if (estimate.kind == singularity_kind::boundary) {
         return "the whole circle of convergence is a boundary";
     }
-    std::string words = kind_in_words(estimate);
+    std::string words = kind_in_words(estimate, exact);
     if (estimate.position) {
         const std::string& real = row[place::position_re].text;
         const std::string& imaginary = row[place::position_im].text;
@@ -135,12 +136,12 @@ std::string whose_verdict(const std::vector<radius_answers>& all, const std::vec
     return text;
 }
 
-// With the number of singularities that symmetry makes of the one that the radius is of.
-radius_estimate<mpfr> of_lead(radius_estimate<mpfr> estimate, const list_verdict& verdict) {
+// Counts the singularities that symmetry makes of the one that the radius is of, whose kind the row states; others at the
+// same distance are in the ring.
+void count_as_lead(radius_estimate<mpfr>& estimate, const list_verdict& verdict) {
     if (verdict.ring.size() > 1) {
         estimate.count = verdict.pattern.stride * (verdict.position->im == 0 ? 1 : 2);
     }
-    return estimate;
 }
 
 // `unknown` describes the unknown of the verdict; empty for a list without a name.
@@ -163,7 +164,7 @@ std::vector<answer_note> verdict_in_words(const radius_answers& answers, const e
                                : bounded      ? row[place::radius].text
                                               : "none"});
     if (verdict.radius) {
-        notes.push_back({"nearest", nearest_in_words(of_lead(verdict, answers.verdict), row)});
+        notes.push_back({"nearest", nearest_in_words(verdict, row, answers.verdict.exact)});
         if (verdict.exponent) {
             notes.push_back({"exponent", with_uncertainty(place::exponent)});
         }
@@ -213,7 +214,9 @@ answer radius_answer(const std::vector<unknown_series>& unknowns, const std::opt
     all.reserve(unknowns.size());
     for (const unknown_series& each : unknowns) {
         all.push_back(answers_of(each.lists, how.scalar, how.run));
-        settle_kind(all.back().rows.front(), analysis);
+        radius_estimate<mpfr>& verdict = all.back().rows.front();
+        count_as_lead(verdict, all.back().verdict);
+        settle_kind(verdict, analysis);
     }
     answer result{.names = {"method", "radius", "uncertainty", "exact", "relative_error", "position_re", "position_im",
                             "kind", "count", "note", "exponent", "exponent_uncertainty", "rigour"},

@@ -1,9 +1,12 @@
 #include "libration/query/hybrid_trajectory.hpp"
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "../hybrid/path_limits.hpp"
+#include "exact_zeros.hpp"
 #include "libration/hybrid/hybrid_path.hpp"
 #include "shown_values.hpp"
 #include "time_order.hpp"
@@ -49,18 +52,33 @@ bool improve_at_event(run_demand& demand, std::vector<known_value>& kept, const 
     return demand.repeats() || all_have_digits(kept);
 }
 
+// Which leaves have equations without step functions, and are not reset, nor is what influences them.
+std::vector<bool> leaves_without_steps(const hybrid_system& system) {
+    std::vector<bool> free;
+    for (const expression& leaf : system.leaves()) {
+        free.push_back(system.events().empty() &&
+                       std::ranges::none_of(system.influences_on(leaf), [](bool each) { return each; }));
+    }
+    return free;
+}
+
 }  // namespace
 
 partial_trajectory proved_part_of_hybrid(const hybrid_system& system, const std::vector<number>& times, long digits,
                                          const march_watch& watch, const proof_route& route) {
     const auto order = order_of(system, times);
     const auto names = names_with_shown(system);
+    std::optional<exact_zeros> zeros;
+    const std::vector<bool> free = leaves_without_steps(system);
     std::vector<bool> left_open(times.size());
     partial_trajectory part;
     part.states.resize(times.size());
     part.missing = prove_digits(digits, error_subject::time, [&](const run_bits& run, run_demand& demand) {
         hybrid_path path(system, run.bits, route, watch);
         const precision_scope scope(decimal_digits(run.bits) + 10);
+        if (!zeros) {
+            zeros.emplace(path.piece().system);
+        }
         for (std::size_t i = 0; i < order.size() && !demand.repeats(); ++i) {
             const std::size_t index = order[i];
             auto state = path.at(times[index], times[order.back()]);
@@ -72,6 +90,7 @@ partial_trajectory proved_part_of_hybrid(const hybrid_system& system, const std:
             if (left_open[index]) {
                 continue;
             }
+            zeros->put(*state, times[index], free);
             append_shown_at(*state, path, system, times[index]);
             if (path.at_event()) {
                 left_open[index] =

@@ -14,6 +14,7 @@
 #include "../expansion/set_values.hpp"
 #include "../integration/closed_form/constant_solution.hpp"
 #include "../integration/closed_form/linear_flow.hpp"
+#include "exact_zeros.hpp"
 #include "libration/digits/precision_loop.hpp"
 #include "libration/integration/step_limits.hpp"
 #include "libration/query/states.hpp"
@@ -121,6 +122,7 @@ public:
           linear_(!further_.answered && route.matrix_exponential && route.integrator == integrator_choice::automatic
                       ? linear_flow::of(system)
                       : std::nullopt),
+          zeros_(system),
           names_(asked_of(names_of_state(system))),
           unknowns_(names_of_state(system).size()),
           done_(times.size()),
@@ -193,6 +195,9 @@ private:
                     }
                 }
                 continue;
+            }
+            if (!further_.answered) {
+                zeros_.put(*state, times_[each.index]);
             }
             demand.improve(part_.states[each.index], asked_of(*state), time, names_);
             if (place + 1 == order_.size()) {
@@ -300,6 +305,7 @@ private:
     std::vector<asked_time> order_;
     constancy constancy_;  ///< `none` also if anything besides the values is requested
     std::optional<linear_flow> linear_;
+    exact_zeros zeros_;
     std::vector<std::string> names_;  ///< of the requested values
     std::size_t unknowns_;
     int runs_with_zeros_ = 0;

@@ -56,14 +56,30 @@ equal_sides any_sides(choices& next) {
     }
 }
 
+// if(apart^2 RELATION 0, p, q): apart changes its sign where the square touches 0.
+step_term touching(const step_term& apart, const std::string& relation, const step_term& p, const step_term& q) {
+    return {fmt::format("if(({})^2 {} 0, {}, {})", apart.text, relation, p.text, q.text),
+            [=](const rational& inside) {
+                const line value = apart.near(inside);
+                const bool zero = value.constant == 0 && value.slope == 0;
+                return (holds(relation, zero ? 0 : 1) ? p : q).near(inside);
+            },
+            [=](partition& ends) {
+                for (const step_term& each : {apart, p, q}) {
+                    each.divide(ends);
+                }
+            }};
+}
+
 // if(left RELATION right, p, q), or another step of their difference.
 step_term compared(choices& next, const step_term& p, const step_term& q) {
     const auto [left, right] = any_sides(next);
     const step_term apart = sum(left, product(number_term(-1), right));
-    switch (next.below(8)) {
+    switch (next.below(9)) {
         case 0: return sum(p, product(sign_of_term(apart), q));
         case 1: return product(heaviside(apart), p);
         case 2: return sum(absolute(apart), q);
+        case 4: return touching(apart, any_relation(next), p, q);
         case 3: return conditional(sign_of_term(apart), any_relation(next), zero(next), p, q);
         default: return conditional(left, any_relation(next), right, p, q);
     }

@@ -37,7 +37,9 @@ public:
         const token& word = at_.words[name];
         if (word.primes > 0) {
             refuse(text_of(at_.words, at_.next - 1, at_.next), word.at,
-                   "is the derivative of a function: write primes only after unknowns");
+                   "is the derivative of a function: write primes only after unknowns, and choose another name for an "
+                   "unknown, as " +
+                       word.text + "_");
         }
         if (!at_.take('(')) {
             refuse_without_argument(at_.words, at_.next - 1);

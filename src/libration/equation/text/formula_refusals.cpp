@@ -19,6 +19,12 @@ std::string function_meant_by(std::string name) {
     return is_called_function(name) ? std::string(name_without_synonym(name)) : "";
 }
 
+[[noreturn]] void refuse_exclusive(const token& word) {
+    refuse(word.text, word.at,
+           "is not an operator between conditions: write (x > 1 and not (y > 2)) or (y > 2 and not (x > 1)) for one of "
+           "the two");
+}
+
 // The end of the argument at this index, y or (y + 1); the index itself for other tokens.
 std::size_t end_of_argument(const statement& words, std::size_t at) {
     if (!symbol_at(words, at, '(')) {
@@ -59,6 +65,11 @@ std::size_t end_of_argument(const statement& words, std::size_t at) {
 }  // namespace
 
 void refuse_product(const statement& words, std::size_t second) {
+    for (const token& word : {words[second - 1], words[second]}) {
+        if (word.kind == token_kind::name && word.text == "xor") {
+            refuse_exclusive(word);
+        }
+    }
     refuse(text_of(words, second - 1, second + 1), words[second - 1].at,
            "multiplies without *: write " + corrected(words, second, second, "*"));
 }
@@ -99,6 +110,9 @@ void refuse_without_argument(const statement& words, std::size_t function) {
 
 void refuse_argument(const statement& words, std::size_t name, const known_names& names) {
     const token& word = words[name];
+    if (word.text == "xor") {
+        refuse_exclusive(word);
+    }
     const std::string written = text_of(words, name, name + 1);
     const std::string product = corrected(words, name + 1, name + 1, "*") + " for a product";
     if (names.unknowns.contains(word.text)) {

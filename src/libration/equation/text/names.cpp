@@ -89,7 +89,7 @@ void require_free_name(const token& name, const std::string& variable) {
         refuse(name.text, name.at, "is the independent variable: choose another name, or `variable " + other + "`");
     }
     if (is_function_name(name.text) || name.text == "pi" || name.text == "inf") {
-        refuse(name.text, name.at, "is a reserved name: choose another");
+        refuse(name.text, name.at, "is a reserved name: choose another, as " + name.text + "_");
     }
 }
 

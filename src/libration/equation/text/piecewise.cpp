@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "libration/equation/choice.hpp"
+#include "libration/equation/defined_zero.hpp"
 #include "libration/equation/hybrid_system.hpp"
 
 namespace libration::ode {
@@ -33,7 +34,45 @@ expression step_collector::chosen(const condition& holds, const expression& a, c
     throw std::logic_error("a condition of no kind");
 }
 
+namespace {
+
+// The bases of the even powers among the factors of an expression, and what has the sign of the rest: u > 0 where the
+// rest is positive and no base is 0. A base of which the sign changes is crossed where its square touches 0.
+struct signed_factors {
+    std::vector<expression> squared;
+    expression rest = 1;
+
+    explicit signed_factors(const expression& u) { add(u, 0); }
+
+private:
+    void add(const expression& e, int depth) {
+        constexpr int deepest = 16;
+        const auto n = e.kind() == node_kind::power ? e.right().fraction() : std::nullopt;
+        if (e.kind() == node_kind::product && depth < deepest) {
+            add(e.left(), depth + 1);
+            add(e.right(), depth + 1);
+        } else if (n && denominator(*n) == 1 && *n > 1 && !e.left().is_constant()) {
+            numerator(*n) % 2 == 0 ? squared.push_back(e.left()) : add(e.left(), depth + 1);
+        } else {
+            rest = written_product(rest, e);
+        }
+    }
+};
+
+}  // namespace
+
+expression step_collector::if_nonzero(const std::vector<expression>& all, const expression& a, const expression& b) {
+    expression value = a;
+    for (const expression& each : all) {
+        value = if_not_negative(each, if_positive(each, value, b), value);
+    }
+    return value;
+}
+
 expression step_collector::if_positive(const expression& u, const expression& a, const expression& b) {
+    if (const signed_factors factors(u); !factors.squared.empty()) {
+        return if_nonzero(factors.squared, if_positive(factors.rest, a, b), b);
+    }
     const oriented_sign found = step_of(u);
     // [-u > 0] = 1 - [u >= 0].
     const expression holds = found.orientation > 0 ? parameter(name_of_positive(found.parameter))
@@ -42,6 +81,9 @@ expression step_collector::if_positive(const expression& u, const expression& a,
 }
 
 expression step_collector::if_not_negative(const expression& u, const expression& a, const expression& b) {
+    if (const signed_factors factors(u); !factors.squared.empty()) {
+        return if_nonzero(factors.squared, if_not_negative(factors.rest, a, b), a);
+    }
     const oriented_sign found = step_of(u);
     const expression holds = found.orientation > 0 ? parameter(name_of_nonnegative(found.parameter))
                                                    : 1 - parameter(name_of_positive(found.parameter));
@@ -49,6 +91,9 @@ expression step_collector::if_not_negative(const expression& u, const expression
 }
 
 expression step_collector::sign(const expression& u) {
+    if (const signed_factors factors(u); !factors.squared.empty()) {
+        return if_nonzero(factors.squared, sign(factors.rest), 0);
+    }
     const oriented_sign found = step_of(u);
     return found.orientation * parameter(found.parameter);
 }

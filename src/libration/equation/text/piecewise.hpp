@@ -13,6 +13,7 @@ namespace libration::ode {
 /// [u >= 0], and n = floor(u), by which
 ///     if(u > 0, a, b) = [u > 0] a + (1 - [u > 0]) b, the same with >=,
 ///     if(u == 0, a, b) = if(u >= 0, if(u > 0, b, a), b),
+///     if(v^2 w > 0, a, b) = if(v == 0, b, if(w > 0, a, b)),
 ///     if(p and q, a, b) = if(p, if(q, a, b), b), if(p or q, a, b) = if(p, a, if(q, a, b)), if(not p, a, b) = if(p, b, a).
 /// With numbers for the step functions these formulas fold exactly to the branch that is chosen. Each comparison has
 /// a separate surface, whatever the others are.
@@ -37,6 +38,7 @@ private:
         int orientation = 1;  // the sign is this times the one of the parameter
     };
 
+    expression if_nonzero(const std::vector<expression>& all, const expression& a, const expression& b);
     oriented_sign step_of(const expression& u);
     const std::string& added(step_function made);
 

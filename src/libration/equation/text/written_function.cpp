@@ -106,8 +106,8 @@ expression norm(const expression& a, const expression& b) {
     return apply(function_kind::sqrt, written_sum(written_power(a, 2), written_power(b, 2)));
 }
 
-// The angle of the point (x, y), with r its distance from 0: 2 atan(y/(r + x)) for x > 0, the same from pi or -pi for
-// x <= 0, and the arctangent of one quotient if an argument is a nonzero number.
+// The angle of the point (x, y), with r its distance from 0: 2 atan(y/(r + x)) for x > 0, pi or -pi less 2 atan(y/(r - x))
+// for x <= 0; by the arctangent of one quotient if an argument is a nonzero number.
 expression angle(const arguments& of, step_collector* steps) {
     const expression &y = of[0], x = of[1];
     const auto is_number = [](const expression& e) { return e.kind() == node_kind::constant; };
@@ -117,11 +117,14 @@ expression angle(const arguments& of, step_collector* steps) {
     if (is_number(y) && y.constant().sign() != 0) {
         return less(pi_times(rational(y.constant().sign(), 2)), apply(function_kind::atan, written_quotient(x, y)));
     }
+    const expression half_turn = steps->if_not_negative(y, pi_times(1), pi_times(-1));
+    if (is_number(x) && x.constant().sign() < 0) {
+        return written_sum(half_turn, apply(function_kind::atan, written_quotient(y, x)));
+    }
     const expression r = norm(x, y);
     const auto twice_atan = [&](const expression& denominator) {
         return 2 * apply(function_kind::atan, written_quotient(y, denominator));
     };
-    const expression half_turn = steps->if_not_negative(y, pi_times(1), pi_times(-1));
     const expression left = less(half_turn, twice_atan(less(r, x)));
     return is_number(x) ? left : steps->if_positive(x, twice_atan(written_sum(r, x)), left);
 }

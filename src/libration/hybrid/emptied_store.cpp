@@ -1,0 +1,230 @@
+// A store that becomes empty at a time at which its outflow is not differentiable: theorem H, "Emptying".
+#include "../equation/emptied_store.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "branch_search.hpp"
+#include "libration/equation/identities.hpp"
+#include "libration/hybrid/hybrid_path.hpp"
+#include "libration/scalar/ball/predicates.hpp"
+#include "libration/scalar/error.hpp"
+
+namespace libration::ode {
+
+namespace {
+
+// An expression as leaf^exponent times the rest, for leaf > 0.
+struct leaf_power {
+    rational exponent;
+    expression rest;
+};
+
+leaf_power power_of_leaf(const expression& e, const expression& leaf) {
+    if (same_form(e, leaf)) {
+        return {1, 1};
+    }
+    if (e.kind() == node_kind::product || e.kind() == node_kind::quotient) {
+        const leaf_power a = power_of_leaf(e.left(), leaf);
+        const leaf_power b = power_of_leaf(e.right(), leaf);
+        return e.kind() == node_kind::product ? leaf_power{rational(a.exponent + b.exponent), a.rest * b.rest}
+                                              : leaf_power{rational(a.exponent - b.exponent), a.rest / b.rest};
+    }
+    const bool root = e.kind() == node_kind::function && e.function() == function_kind::sqrt;
+    const auto r = root                           ? std::optional(rational(1, 2))
+                   : e.kind() == node_kind::power ? e.right().fraction()
+                                                  : std::nullopt;
+    if (!r) {
+        return {0, e};
+    }
+    const leaf_power inner = power_of_leaf(e.left(), leaf);
+    return inner.exponent == 0 ? leaf_power{0, e}
+                               : leaf_power{rational(inner.exponent * *r), pow(inner.rest, expression(*r))};
+}
+
+expression at_zero_of(const expression& e, const expression& leaf) {
+    return replaced(
+        e, [&](const expression& each) { return same_form(each, leaf) ? std::optional(expression()) : std::nullopt; });
+}
+
+ball power_of_ball(const ball& x, const rational& exponent) {
+    ball result;
+    const ball by = constant_value<ball>::of(number(exponent));
+    arb_pow(result.handle(), x.handle(), by.handle(), ball::working_bits());
+    return result;
+}
+
+// [0, 2^e] with 2^e >= x, without an end below 0.
+ball from_zero_beyond(const ball& x) {
+    fmpz_t e;
+    fmpz_init(e);
+    arf_abs_bound_lt_2exp_fmpz(e, arb_midref(upper_bound(x).handle()));
+    ball result(1);
+    mag_one(arb_radref(result.handle()));
+    arb_mul_2exp_fmpz(result.handle(), result.handle(), e);
+    arb_mul_2exp_si(result.handle(), result.handle(), -1);
+    fmpz_clear(e);
+    return result;
+}
+
+// The states from a time on until an unknown h with -h' = h^exponent outflow is 0.
+class emptying_box {
+public:
+    emptying_box(const explicit_system& system, std::size_t leaf, const std::vector<ball>& state, const ball& begin)
+        : form_(system), leaf_(leaf), highest_(from_zero_beyond(state[leaf])), box_(state), begin_(begin), end_(begin) {
+        box_[leaf] = highest_;
+    }
+
+    const std::vector<ball>& states() const { return box_; }
+    ball times() const { return hull(begin_, end_); }
+
+    // Over the box; powers of h are enclosed as such, since balls of roots about 0 are not.
+    ball value(const expression& e) const {
+        std::vector<expression> leaves = form_.leaves;
+        std::vector<ball> known = box_;
+        const expression open = with_nodes_replaced(form_.in_leaves(e), [&](const expression& node) {
+            const bool root = node.kind() == node_kind::function || node.kind() == node_kind::power;
+            const leaf_power power = root ? power_of_leaf(node, form_.leaves[leaf_]) : leaf_power{0, node};
+            if (power.exponent <= 0 || power.rest.kind() != node_kind::constant) {
+                return std::optional<expression>();
+            }
+            leaves.push_back(unknown("power " + std::to_string(leaves.size())));
+            known.push_back(enclosed_number(power.rest.constant()) *
+                            from_zero_beyond(power_of_ball(upper_bound(highest_), power.exponent)));
+            return std::optional(leaves.back());
+        });
+        expression_values<ball> values(leaves, times());
+        for (const ball& each : known) {
+            values.push_back(each);
+        }
+        return values.of(open);
+    }
+
+    // Up to a time at which h is certainly 0: twice what the box at the beginning gives, with the others moved by twice
+    // their slopes there. False if that is not confirmed on the box.
+    bool extend(const rational& exponent, const expression& outflow, const std::vector<expression>& slopes) {
+        const rational rest = 1 - exponent;
+        const auto lasts = [&] {
+            return upper_bound(power_of_ball(upper_bound(highest_), rest) /
+                               (lower_bound(value(outflow)) * constant_value<ball>::of(number(rest))));
+        };
+        const ball room = ball(2) * lasts();
+        if (!is_finite(room) || known_sign(room) <= 0) {
+            return false;
+        }
+        end_ = begin_ + room;
+        const auto moves = [&](std::size_t j) { return magnitude(value(slopes[j])) * magnitude(room); };
+        std::vector<magnitude> most;
+        for (std::size_t j = 0; j < box_.size(); ++j) {
+            most.push_back(j == leaf_ ? magnitude() : moves(j) * magnitude(2U));
+        }
+        for (std::size_t j = 0; j < box_.size(); ++j) {
+            box_[j] = j == leaf_ ? box_[j] : widened(box_[j], most[j]);
+        }
+        bool inside = known_sign(value(outflow)) > 0 && certainly_less(lasts(), room);
+        for (std::size_t j = 0; j < box_.size(); ++j) {
+            inside = inside && is_finite(box_[j]) && (j == leaf_ || moves(j) <= most[j]);
+        }
+        return inside;
+    }
+
+private:
+    first_order_form form_;
+    std::size_t leaf_;
+    ball highest_;
+    std::vector<ball> box_;
+    ball begin_, end_;
+};
+
+}  // namespace
+
+// The outflow -h' = h^exponent outflow of an unknown h, the argument of this sign, at a state; std::nullopt if it does not
+// empty as in the theorem.
+std::optional<hybrid_path::emptying> hybrid_path::emptying_of(std::size_t step, const std::vector<ball>& state) const
+    try {
+    const expression leaf = system_.argument(step, piece_->steps);
+    const auto& leaves = system_.leaves();
+    const auto found = std::ranges::find_if(leaves, [&](const expression& each) { return same_form(each, leaf); });
+    const auto influences = system_.influences_on(leaf);
+    const auto others = std::ranges::count(influences, true) - (influences[step] ? 1 : 0);
+    if (found == leaves.end() || others > 0 || system_.steps()[step].kind != step_kind::sign ||
+        is_emptied(piece_->steps[step]) || piece_->steps[step].sign() <= 0 || is_in_other_argument(step)) {
+        return std::nullopt;
+    }
+    const auto k = static_cast<std::size_t>(found - leaves.begin());
+    const auto above = slopes_in_given(piece_->system);
+    const leaf_power flow = power_of_leaf(above[k], leaf);
+    const expression last = at_zero_of(flow.rest, leaf);
+    if (flow.exponent <= 0 || flow.exponent >= 1 || last.kind() != node_kind::constant || last.constant().sign() >= 0) {
+        return std::nullopt;
+    }
+    std::vector<number> starts = midpoints_of(state);
+    starts[k] = number();
+    for (const number& beside : {emptied_value(), number(rational(-1))}) {
+        step_values values = piece_->steps;
+        values[step] = beside;
+        const auto slopes = slopes_in_given(system_.branch(values, piece_->system.point(), starts));
+        for (std::size_t j = 0; j < slopes.size(); ++j) {
+            const expression jump = j == k ? slopes[j] : at_zero_of(slopes[j], leaf) - at_zero_of(above[j], leaf);
+            if (!is_identically_zero(jump)) {
+                return std::nullopt;
+            }
+        }
+    }
+    return emptying{step, k, flow.exponent, -flow.rest};
+} catch (const error&) {  // a branch without equations at 0
+    return std::nullopt;
+}
+
+bool hybrid_path::is_in_other_argument(std::size_t step) const {
+    return std::ranges::any_of(system_.steps(), [&](const step_function& each) {
+        bool found = false;
+        each_leaf(each.argument, [&](const expression& leaf) {
+            found = found || (leaf.kind() == node_kind::parameter && system_.step_of(leaf.name()) == step);
+        });
+        return found;
+    });
+}
+
+// Where the steps of a branch become too small because a store becomes empty: the event at which it is. Let h be in (0, h1]
+// at the time s, and -h' >= c h^a on a box Z of the states in [0, h1] and the others within w of those at s, and the others
+// move by at most w in the time h1^(1 - a)/(c (1 - a)): h is 0 at the end of it at the latest.
+bool hybrid_path::find_empty_store() {
+    if (observed_ != nullptr || !system_.variations().empty() || piece_->along->made() == 0) {
+        return false;
+    }
+    const std::vector<ball> state = piece_->along->last().set.hull();
+    const auto surfaces = system_.surfaces(piece_->steps);
+    for (const surface& each : surfaces) {
+        const bool store = each.steps.size() == 1 && each.events.empty() && !each.time;
+        const auto of = store ? emptying_of(each.steps.front().index, state) : std::nullopt;
+        if (!of) {
+            continue;
+        }
+        emptying_box box(piece_->system, of->leaf, state, piece_->along->reached());
+        const bool alone = box.extend(of->exponent, of->outflow, slopes_in_given(piece_->system)) &&
+                           std::ranges::all_of(surfaces, [&](const surface& other) {
+                               return same_form(other.g, each.g) || known_sign(box.value(other.g)) != 0;
+                           });
+        if (alone) {
+            next_ = path_event{.time = box.times(), .way = crossing::down, .state = box.states(), .text = each.text};
+            next_->on_the_way = next_->state;
+            next_->state[of->leaf] = ball(0);
+            crossed_ = {{each, crossing::down}};
+            emptied_ = of->step;
+            return true;
+        }
+    }
+    return false;
+}
+
+bool hybrid_path::continue_emptied() {
+    step_values values = piece_->steps;
+    values[*std::exchange(emptied_, std::nullopt)] = emptied_value();
+    const entered_branch entered{system_.leaves(), next_->state};
+    const branch_beginning beginning(system_, next_->time, std::nullopt, entered.leaves, zero_functions(),
+                                     entered.state);
+    return enter(entered, values, beginning);
+}
+
+}  // namespace libration::ode
