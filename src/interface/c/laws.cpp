@@ -60,7 +60,7 @@ int libration_law_new(const libration_problem* problem, const char* show, const 
             }
         }
         request how = proved_digits(digits_of_search);
-        // The law asks again when it needs more bits, when the context may not exist any more.
+        // The law calls again when it needs more bits, when the context may not exist any more.
         const auto called = std::make_shared<std::function<void(double)>>(watcher(watch, context));
         how.stage = [called](const std::string& /*done*/) {
             if (*called) {

@@ -1,4 +1,4 @@
-// A place in the complex plane in the words of a refusal.
+// A place in the complex plane as errors name it.
 #pragma once
 
 #include <cmath>

@@ -121,7 +121,7 @@ public:
     };
 
     // By the law, by the recurrence if the law gives fewer digits, and then with as many as the law gives.
-    // An exact 0 stands for the coefficient.
+    // An exact 0 is that of the coefficient.
     coefficient_value number(const asked_number& asked, long digits, source by) {
         const bool has_law = asked.n - asked.back >= law_.first();
         if (by == source::law) {
