@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "libration/equation/text/parse.hpp"
-#include "shared/list_answers.hpp"
+#include "studies/shared/list_answers.hpp"
 #include "studies/study_rows.hpp"
 #include "sweep/named_order.hpp"
 #include "text/input_error.hpp"
