@@ -11,8 +11,8 @@ namespace query_proving_runs_test {
 using namespace libration;
 using namespace libration::ode;
 
-// u = 1/(1 + t), w_i = t^i/i! + u, and v_i' = w_(i-1) - u: v_i = t^i/i!, which is a difference in balls. At t = 1/40 the last
-// is 1e-318, for which 1060 bits would be necessary.
+// u = 1/(1 + t), w_i = t^i/i! + u, and v_i' = w_(i-1) - u: v_i = t^i/i!, which is a difference in balls. At t = 1/40
+// the last is 1e-318, for which 1060 bits would be necessary.
 TEST_CASE("runs end where each distinguishes only a few more unknowns from 0", "[ode][proved]") {
     const int count = 100;
     std::string text = "u' = -u^2; u(0) = 1; w1' = 1 - u^2; w1(0) = 1";

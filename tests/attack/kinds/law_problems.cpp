@@ -248,8 +248,8 @@ struct quadratic_system {
     }
 };
 
-// Competing species, tops with a torque or without, coupled Riccati equations, equations like Lorenz's, a damped oscillator: poles, logarithms, and
-// kinds that are rejected.
+// Competing species, tops with a torque or without, coupled Riccati equations, equations like Lorenz's, a damped
+// oscillator: poles, logarithms, and kinds that are rejected.
 asked_law any_quadratic_system(choices& next) {
     quadratic_system made;
     const auto c = [&] { return few(next, false); };

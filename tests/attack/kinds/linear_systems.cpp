@@ -1,6 +1,7 @@
 // Linear systems with constant coefficients, made from triangular ones with known exponential sums by exact changes of
-// their unknowns: defective matrices, equal and nearly equal eigenvalues, rows of zeros, decays beside growth, chains from
-// one unknown that is not 0, and unknowns of 1e-500. The shifted series of the vector and the exponential of the matrix.
+// their unknowns: defective matrices, equal and nearly equal eigenvalues, rows of zeros, decays beside growth, chains
+// from one unknown that is not 0, and unknowns of 1e-500. The shifted series of the vector and the exponential of the
+// matrix.
 #include <fmt/core.h>
 
 #include <algorithm>
