@@ -61,7 +61,7 @@ find_package(fmt REQUIRED)
 file(GLOB_RECURSE attack_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/attack/*.cpp)
 add_executable(libration-attack ${attack_sources} ${PROJECT_SOURCE_DIR}/src/command/table/elliptic_values.cpp)
 target_include_directories(libration-attack PRIVATE
-    ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR}/src/command)
+    ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/src/command)
 target_compile_definitions(libration-attack PRIVATE
     LIBRATION_REFERENCE_DIR="${PROJECT_SOURCE_DIR}/tests/reference")
 target_link_libraries(libration-attack PRIVATE libration::ball fmt::fmt libration-warnings)

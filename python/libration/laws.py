@@ -15,9 +15,9 @@ if TYPE_CHECKING:
 
 
 class Law:
-    """The law of the coefficients a_n of (t - t0)^n of one unknown or derivative; made by Problem.law(). All singularities in
-    |t - t0| <= rho are proved, and a_n = their terms + E_n with a proved bound of E_n for every n >= n0. Any number of threads
-    may ask it: one waits for the other.
+    """The law of the coefficients a_n of (t - t0)^n of one unknown or derivative; made by Problem.law(). All
+    singularities in |t - t0| <= rho are proved, and a_n = their terms + E_n with a proved bound of E_n for every
+    n >= n0. Any number of threads may ask it: one waits for the other.
 
         law = libration.problem("y' = y^3 + t; y(0) = 1").law()
         law.singularities
@@ -66,9 +66,9 @@ class Law:
 
     @property
     def singularities(self) -> Table:
-        """Those within rho, proved: position_re, position_im, modulus, kind, exponent, coefficient_re, coefficient_im; the
-        coefficient is that of (t - t*)^exponent or log(t - t*), at branch points and singular points of linear equations of
-        x^exponent log(x)^m, x = 1 - (t - t0)/(t* - t0)."""
+        """Those within rho, proved: position_re, position_im, modulus, kind, exponent, coefficient_re, coefficient_im;
+        the coefficient is that of (t - t*)^exponent or log(t - t*), at branch points and singular points of linear
+        equations of x^exponent log(x)^m, x = 1 - (t - t0)/(t* - t0)."""
         return self.table(30)
 
     def table(self, digits: int) -> Table:
@@ -77,11 +77,12 @@ class Law:
 
     @with_progress
     def coefficient(self, n: int, digits: int = 30) -> Ball:
-        """a_n, proved, without the ones before: by the law where it gives the digits, else by the recurrence up to n = 20000.
-        Raises UndecidedError if neither gives a digit."""
+        """a_n, proved, without the ones before: by the law where it gives the digits, else by the recurrence up to
+        n = 20000. Raises UndecidedError if neither gives a digit."""
         return Ball._of(self._law.coefficient(n, digits))
 
     @with_progress
     def ratio(self, n: int, digits: int = 30) -> Ball:
-        """a_n/a_(n-p), p the stride: the ratio of the Domb-Sykes plot, proved. Raises ArgumentError where a_n is 0 by symmetry."""
+        """a_n/a_(n-p), p the stride: the ratio of the Domb-Sykes plot, proved. Raises ArgumentError where a_n is 0
+        by symmetry."""
         return Ball._of(self._law.ratio(n, digits))

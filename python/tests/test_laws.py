@@ -5,16 +5,7 @@ import pickle
 import libration as lb
 import mpmath
 import pytest
-
-
-@pytest.fixture(autouse=True)
-def precision():
-    with mpmath.workdps(60):
-        yield
-
-
-def near(ball, truth, digits):
-    return abs(ball.mpmath() - truth) <= abs(truth) * mpmath.mpf(10) ** (1 - digits)
+from conftest import near
 
 
 def test_a_branch_point():  # (1 - 2t)^(-1/2)

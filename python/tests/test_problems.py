@@ -7,16 +7,7 @@ import libration as lb
 import mpmath
 import pytest
 import sympy
-
-
-@pytest.fixture(autouse=True)
-def precision():
-    with mpmath.workdps(60):
-        yield
-
-
-def near(ball, truth, digits):
-    return abs(ball.mpmath() - truth) <= abs(truth) * mpmath.mpf(10) ** (1 - digits)
+from conftest import near
 
 
 def tangent():

@@ -9,21 +9,12 @@ import libration as lb
 import mpmath
 import numpy as np
 import pytest
+from conftest import near
 from libration import scimlref
 
 SPRING = "x'' = -k*x; x(0) = 1; x'(0) = 0; k = 1"
 # Some hundred operations per step, a few steps, and the condition of the problems here, which is below 10.
 CLOSE = 1e4 * np.finfo(float).eps
-
-
-@pytest.fixture(autouse=True)
-def precision():
-    with mpmath.workdps(60):
-        yield
-
-
-def near(ball, truth, digits):
-    return abs(ball.mpmath() - truth) <= abs(truth) * mpmath.mpf(10) ** (1 - digits)
 
 
 def test_derivatives_of_a_spring():

@@ -6,16 +6,7 @@ import threading
 import libration as lb
 import mpmath
 import pytest
-
-
-@pytest.fixture(autouse=True)
-def precision():
-    with mpmath.workdps(60):
-        yield
-
-
-def near(ball, truth, digits):
-    return abs(ball.mpmath() - truth) <= abs(truth) * mpmath.mpf(10) ** (1 - digits)
+from conftest import near
 
 
 def test_a_solution_is_integrated_once():

@@ -242,7 +242,8 @@ struct list_of_unknown {
     const proved_law* law = nullptr;  ///< with --prove
 };
 
-/// The law of an unknown. Throws error of the kind undecided with the law's reason, and the unknown if there are several.
+/// The law of an unknown. Throws error of the kind undecided with the law's reason, and the unknown if there are
+/// several.
 inline proved_law law_of_unknown(const ode::explicit_system& system, const std::string& unknown, long digits) {
     try {
         return {system, {.show = unknown}, proved_digits(digits)};

@@ -40,6 +40,7 @@ TEST_CASE("the line has the limit and the exponent of closed forms", "[asymptoti
     check_line("y' = y^3; y(0) = 1", 2, -3);                          // (1 - 2t)^(-1/2)
     check_line("y' = y^4; y(0) = 1", 3, -2);                          // (1 - 3t)^(-1/3)
     check_line("y' = -1/(2*y); y(0) = 1", 1, 3);                      // sqrt(1 - t)
+    check_line("y' = -1/(y - 1); y(0) = 2", 2, 3);                    // 1 + sqrt(1 - 2t)
     check_line("y' = exp(y); y(0) = 0", 1, 0);                        // -log(1 - t)
     check_line("y' = -2*t*y^2; y(0) = 1", -1, -6);                    // 1/(1 + t^2), in t^2
     check_line("y'' = 6*y^2; y(0) = 1; y'(0) = 2", 1, -12);           // (1 - t)^-2
@@ -60,6 +61,10 @@ TEST_CASE("a pair, two singularities at one distance and entire solutions have n
     CHECK_FALSE(line_of_ratios(legendre));
     REQUIRE(radius_of_law(legendre));
     CHECK(overlaps(*radius_of_law(legendre), ball(1)));
+    // t, whose singular terms at 1 and -1 have coefficients 0 that only balls show
+    const auto line_of_legendre = law_of_text("(1-t^2)*y'' - 2*t*y' + 2*y = 0; y(0) = 0; y'(0) = 1");
+    CHECK_FALSE(line_of_ratios(line_of_legendre));
+    CHECK_FALSE(radius_of_law(line_of_legendre));
     const auto entire = law_of_text("y'' = -y; y(0) = 0; y'(0) = 1", {.within = 3});
     CHECK_FALSE(line_of_ratios(entire));
     CHECK_FALSE(radius_of_law(entire));

@@ -104,6 +104,21 @@ verdict judged_bounds(const std::string& lower, const std::string& upper, const 
     return settled(exact, static_cast<long>(lower.size() + upper.size()), judge).value_or(verdict::undecided);
 }
 
+verdict judged_distance(const std::string& from, const std::vector<std::string>& bounds, const truth& exact) {
+    rational most = 0;
+    long digits = static_cast<long>(from.size());
+    for (const std::string& each : bounds) {
+        if (const rational bound = typed_fraction(each); bound != 0) {
+            most += bound;
+            digits = std::max(digits, -first_exponent(each));
+        }
+    }
+    const auto judge = [&](const mpfr& fine, const mpfr& small) {
+        return abs(mpfr(fine - real(typed_fraction(from)))) <= real(most) + small ? verdict::right : verdict::wrong;
+    };
+    return settled(exact, digits, judge).value_or(verdict::undecided);
+}
+
 verdict judged_ball(const ball& enclosure, const truth& exact) {
     constexpr double digits_of_bit = 0.302;
     constexpr long bits_of_ends = 10'000;  // whose rounding, outwards, is far below a radius

@@ -49,6 +49,9 @@ verdict judged(const proved_decimal& printed, long digits, const truth& exact);
 /// Whether lower <= x <= upper, where the bounds are decimals.
 verdict judged_bounds(const std::string& lower, const std::string& upper, const truth& exact);
 
+/// Whether |x - from| is at most the sum of these bounds, all decimals.
+verdict judged_distance(const std::string& from, const std::vector<std::string>& bounds, const truth& exact);
+
 /// Whether the true value is in a ball.
 verdict judged_ball(const ball& enclosure, const truth& exact);
 

@@ -19,6 +19,23 @@ std::string coefficient_of(const law& of, long n, long digits) {
 
 }  // namespace
 
+// The law of a linear equation computes its constants anew for more digits, when the context of the call that made it may
+// not exist any more. (1 - t)^(1/3) (1 - 2t/3) by mpmath.
+TEST_CASE("the callback of a law is called only while it is made", "[c]") {
+    int calls = 0;
+    const auto problem = problem_of("3*(1-t)*(3-2*t)*y' = (8*t-9)*y; y(0) = 1");
+    const auto count = [](double, void* context) {
+        ++*static_cast<int*>(context);
+        return 0;
+    };
+    const auto of =
+        made<law>([&](auto** to) { return libration_law_new(problem.get(), "y", nullptr, count, &calls, to); });
+    CHECK(calls > 0);
+    calls = 0;
+    CHECK(coefficient_of(of, 500, 100).starts_with("-0.0000205749501270046042648639784096820564846899"));
+    CHECK(calls == 0);
+}
+
 // 1/(7/3 - t): a_n = (3/7)^(n+1), by mpmath.
 TEST_CASE("a law gives any coefficient and the ratios", "[c]") {
     const auto of = law_of("y' = y^2; y(0) = 3/7");

@@ -80,6 +80,56 @@ TEST_CASE("ratios of a law with a stride are those of its nonzero coefficients",
     CHECK_THROWS_AS(law_of_text("y' = y^2; y(0) = 1", "z"), error);
 }
 
+// 1/(1 - t + t^2): 1, 1, 0, -1, -1, 0, .. without a symmetry, which fractions decide up to n = 2000.
+TEST_CASE("zeros among the coefficients are decided by fractions", "[problem][asymptotics]") {
+    const auto law = law_of_text("y' = (1 - 2*t)*y^2; y(0) = 1");
+    CHECK(law.stride() == 1);
+    for (const long n : {2L, 302L, 2000L}) {
+        const auto found = law.coefficient(n, 20);
+        REQUIRE(found.value.decimal);
+        CHECK(found.value.decimal->text == "0");
+        CHECK(found.value.decimal->uncertainty == "0");
+        CHECK(found.by == "recurrence");
+        CHECK(found.complete);
+        CHECK_THROWS_WITH(law.root(n, 20), Catch::Contains("has the coefficient 0"));
+    }
+    const precision_scope scope(60);
+    check_value(law.coefficient(301, 20).value, ball(1), 20);
+    check_value(law.coefficient(2001, 20).value, ball(-1), 20);
+    CHECK_FALSE(law.ratio(303, 20).ratio.decimal);
+    // (7/5)^n times these, whose fractions are long, so that the recurrence in balls would need 10000 digits.
+    const auto scaled = law_of_text("y' = (7/5 - 98/25*t)*y^2; y(0) = 1").coefficient(302, 20);
+    REQUIRE(scaled.value.decimal);
+    CHECK(scaled.value.decimal->text == "0");
+    CHECK(scaled.value.bound.empty());
+    const auto derivative = law_of_text("y' = (7/5 - 98/25*t)*y^2; y(0) = 1", "y'").coefficient(301, 20);
+    REQUIRE(derivative.value.decimal);
+    CHECK(derivative.value.decimal->text == "0");
+}
+
+// (1 - t)^(1/3) (1 - 2t/3), whose constants are computed anew for more digits, with the callback of the request.
+TEST_CASE("a law calls back as long as it exists", "[problem][asymptotics]") {
+    long calls = 0;
+    request how = proved_digits(10);
+    how.stage = [&](const std::string&) { ++calls; };
+    const auto made = [&] {
+        return proved_law(ode::explicit_system(ode::parse("3*(1-t)*(3-2*t)*y' = (8*t-9)*y; y(0) = 1")), {},
+                          request(how));
+    };
+    const proved_law law = made();
+    const long before = calls;
+    CHECK(before > 0);
+    const precision_scope scope(160);
+    ball product(1);
+    ball last(0);
+    for (long n = 1; n <= 500; ++n) {
+        last = product;
+        product *= (ball(n - 1) - ball(1) / 3) / n;
+    }
+    check_value(law.coefficient(500, 100).value, product - last * 2 / 3, 100);
+    CHECK(calls > before);
+}
+
 // The deviation is a bound: a_n of y' = y^3 + t by exact fractions is farther from the line than the law's terms of it leave.
 TEST_CASE("the deviation bounds the distance from the line", "[problem][asymptotics]") {
     const precision_scope scope(60);

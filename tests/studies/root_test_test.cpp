@@ -4,7 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "libration/equation/text/parse.hpp"
+#include "studies/shared/list_answers.hpp"
 #include "studies/study_rows.hpp"
+#include "sweep/named_order.hpp"
 #include "text/input_error.hpp"
 
 namespace studies_root_test_test {
@@ -84,6 +87,49 @@ TEST_CASE("the table of estimates holds the tests by size and the verdict", "[st
         }
     }
     CHECK(verdict);
+}
+
+// (1 - 2t)^(-1/2): a_n is the product of 2 - 1/k up to k = n, the radius 1/2.
+TEST_CASE("with --prove the roots, the radius and their distance are proved", "[studies][root_test]") {
+    const precision_scope scope(40);
+    const auto order = order_asked("study", "root_test", equation_words{"y' = y^3; y(0) = 1", {}},
+                                   {{"--prove", "yes"}, {"--orders", "24"}}, 2);
+    CHECK(order.command.ends_with("--prove"));
+    const auto rows = rows_of_table(tables_of(order).front());
+    REQUIRE(rows.size() == 24);
+    mpfr coefficient = 1;
+    for (const table_row& row : rows) {
+        const mpfr n = number_of(row.at("n"));
+        coefficient *= 2 - 1 / n;
+        const mpfr truth = pow(coefficient, mpfr(-1 / n));
+        CHECK_THAT(row.at("proved_radius"), right_to_the_last_digit_of(mpfr(mpfr(1) / 2)));
+        if (!row.at("law_root").empty()) {
+            CHECK(abs(mpfr(number_of(row.at("law_root")) - truth)) <= number_of(row.at("law_error")));
+            // Of each number in the ball, whose ends are at most twice its error apart, upwards to three digits.
+            const mpfr distance = abs(mpfr(truth - mpfr(1) / 2));
+            const mpfr most = (distance + 2 * number_of(row.at("law_error"))) * mpfr("1.01");
+            CHECK(number_of(row.at("deviation")) >= distance);
+            CHECK(number_of(row.at("deviation")) <= most);
+        }
+    }
+    CHECK(rows.front().at("law_root").empty());
+    CHECK_FALSE(rows.back().at("law_root").empty());
+}
+
+// x = 1/(1 - t), and y = exp(t) without a singularity.
+TEST_CASE("--prove names the unknown that has no law", "[studies][root_test]") {
+    const auto of = [](const std::string& text) {
+        return order_asked("study", "root_test", equation_words{text, {}}, {{"--prove", "yes"}, {"--orders", "8"}}, 1);
+    };
+    CHECK_THROWS_WITH(tables_of(of("y'' = -y; y(0) = 0; y'(0) = 1")),
+                      Catch::Contains("--prove has no law: the problem") && Catch::Contains("entire"));
+    CHECK_THROWS_WITH(tables_of(of("x' = x^2; y' = y; x(0) = 1; y(0) = 1")),
+                      Catch::Contains("--prove has no law of y: the problem"));
+    const ode::explicit_system system(ode::parse("x' = x^2; y' = y; x(0) = 1; y(0) = 1"));
+    const proved_law law = studies::law_of_unknown(system, "x", 10);
+    CHECK(law.name() == "x");
+    CHECK(law.limit(5).decimal->text == "1.0000");
+    CHECK_THROWS_WITH(studies::law_of_unknown(system, "y", 10), Catch::Contains("has no law of y"));
 }
 
 TEST_CASE("what has no root test is refused", "[studies][root_test]") {

@@ -40,18 +40,20 @@ public:
     /// The unknowns and their lower derivatives; of an orbit with limits at both ends those that have limits.
     const std::vector<std::string>& quantities() const { return quantities_; }
 
-    /// name, value, kind of the unknowns, of the kind "unknown", then of the numbers of numbers_at_infinity(), with as many digits as are
-    /// proved. The notes are those of find_unknowns().
+    /// name, value, kind of the unknowns, of the kind "unknown", then of the numbers of numbers_at_infinity(), with as
+    /// many digits as are proved. The notes are those of find_unknowns().
     answer unknowns(const request& how) const;
 
-    /// The quantities at times in any order, of which the texts "inf" and "-inf" are the limits, each digit proved; then the numbers of `shown`
-    /// (numbers_at_infinity), the same in each row. Orbits with limits at both ends have t = 0 where the note "phase" states. Beyond the time
-    /// from which on the solution is on the manifold of an equilibrium the values are those of its series (theorem W2). The notes are the unknowns, then those
-    /// of find_unknowns(). A limit that is not known, and a value that is not proved with as many digits, are missing. With request.check the values are compared with a second proof.
+    /// The quantities at times in any order, of which the texts "inf" and "-inf" are the limits, each digit proved;
+    /// then the numbers of `shown` (numbers_at_infinity), the same in each row. Orbits with limits at both ends have t
+    /// = 0 where the note "phase" states. Beyond the time from which on the solution is on the manifold of an
+    /// equilibrium the values are those of its series (theorem W2). The notes are the unknowns, then those of
+    /// find_unknowns(). A limit that is not known, and a value that is not proved with as many digits, are missing.
+    /// With request.check the values are compared with a second proof.
     answer states(const std::vector<exact>& times, const std::vector<std::string>& shown, const request& how) const;
 
-    /// `count` times with equal distances, between those before and after which every quantity with a limit is nearer to it than 1/400 of
-    /// its variation; from the initial point if that is finite. Decimals.
+    /// `count` times with equal distances, between those before and after which every quantity with a limit is nearer
+    /// to it than 1/400 of its variation; from the initial point if that is finite. Decimals.
     std::vector<exact> visible_times(long count, const request& how) const;
 
 private:

@@ -29,16 +29,18 @@ struct law_ratio {
     std::string deviation;
 };
 
-/// The n-th root of the law: |a_n|^(-1/n), and a bound of its distance from the radius of convergence, which is empty if that is not proved.
+/// The n-th root of the law: |a_n|^(-1/n), and a bound of its distance from the radius of convergence, which is empty
+/// if that is not proved.
 struct law_root {
     known_value root;
     std::string by;
     std::string deviation;
 };
 
-/// The law of the coefficients a_n of (t - t0)^n of one unknown or derivative, proved once for any number of questions. Every digit
-/// of a value is proved; a value has fewer digits than requested, or only a bound, where neither the law nor the recurrence, which is used up to the power
-/// 20000, gives them. Not for several threads at once.
+/// The law of the coefficients a_n of (t - t0)^n of one unknown or derivative, proved once for any number of questions.
+/// Every digit of a value is proved; a value has fewer digits than requested, or only a bound, where neither the law nor
+/// the recurrence, which is used up to the power 20000, gives them. request::stage is called in later questions, too, if
+/// they need more bits. Not for several threads at once.
 class proved_law {
 public:
     /// Throws error of the subject "unknown" for a name that is none, of the kind undecided as coefficient_law::of.
@@ -70,11 +72,14 @@ public:
     coefficient_value coefficient(long n, long digits) const;
     /// Whether numbers are read from the law alone, with as many digits as it gives, and not from the recurrence.
     enum class source { any, law };
-    /// a_n/a_(n-p). Throws error of the kind argument if a_n is 0 by symmetry, and for n < p, or n < first() + p for the law alone.
+    /// a_n/a_(n-p). Throws error of the kind argument if a_n is 0 by symmetry, and for n < p, or n < first() + p for
+    /// the law alone.
     law_ratio ratio(long n, long digits, source by = source::any) const;
-    /// |a_n|^(-1/n). Throws error of the kind argument if a_n is 0 by symmetry, and for n < 1, or n < first() for the law alone.
+    /// |a_n|^(-1/n). Throws error of the kind argument if a_n is 0 by symmetry, and for n < 1, or n < first() for the
+    /// law alone.
     law_root root(long n, long digits, source by = source::any) const;
-    /// The limit of the ratios, if one is proved, and the radius of convergence; only a bound or nothing where they are not.
+    /// The limit of the ratios, if one is proved, and the radius of convergence; only a bound or nothing where they are
+    /// not.
     known_value limit(long digits) const;
     known_value exponent(long digits) const;
     known_value radius(long digits) const;

@@ -1,4 +1,6 @@
 // The law of all Taylor coefficients of a solution.
+#include <functional>
+#include <memory>
 #include <mutex>
 
 #include "answers.hpp"
@@ -9,7 +11,8 @@ namespace libration::c {
 
 namespace {
 
-// The code of a question to the law, of one thread at a time. After a failure the law may be in any state: it is left to the process.
+// The code of a question to the law, of one thread at a time. After a failure the law may be in any state: it is left
+// to the process.
 template <class T, class Question>
 int asked(const libration_law* law, T** to, const Question& question) noexcept {
     if (law == nullptr) {
@@ -57,8 +60,15 @@ int libration_law_new(const libration_problem* problem, const char* show, const 
             }
         }
         request how = proved_digits(digits_of_search);
-        how.stage = [of = watcher(watch, context)](const std::string& /*done*/) { of(0.0); };
+        // The law calls again when it needs more bits, when the context may not exist any more.
+        const auto called = std::make_shared<std::function<void(double)>>(watcher(watch, context));
+        how.stage = [called](const std::string& /*done*/) {
+            if (*called) {
+                (*called)(0.0);
+            }
+        };
         libration_law result{std::make_unique<proved_law>(given(problem, "problem").system(), asked, how)};
+        *called = {};
         result.rho = result.of->rho();
         result.first = result.of->first();
         result.stride = result.of->stride();

@@ -83,7 +83,8 @@ Owned made(const Call& call) {
     return Owned(handle);
 }
 
-// Handles Ctrl-C in long calls, and passes the part that is done to the package, ten times a second (python/libration/progress.py).
+// Handles Ctrl-C in long calls, and passes the part that is done to the package, ten times a second
+// (python/libration/progress.py).
 inline int watch_signals(double part, void* /*context*/) {
     using clock = std::chrono::steady_clock;
     constexpr std::chrono::milliseconds pause{100};

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "../algebra/dense_matrix.hpp"
+#include "../plane/place_words.hpp"
 #include "closed_equation.hpp"
 #include "law_tips.hpp"
 #include "libration/asymptotics/circle_mean.hpp"

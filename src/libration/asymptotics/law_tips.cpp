@@ -28,10 +28,6 @@ double few_bits_after(double nearest, double end, double part) {
 
 void refuse_law(const std::string& why) { throw error(error_kind::undecided, error_subject::problem, "", why); }
 
-std::string words_of_place(const std::complex<double>& z) {
-    return std::to_string(z.real()) + (z.imag() < 0 ? " - " : " + ") + std::to_string(std::abs(z.imag())) + "i";
-}
-
 double double_below(const ball& x) { return arf_get_d(arb_midref(lower_bound(x).handle()), ARF_RND_DOWN); }
 
 double circle_of_slits(const std::vector<algebraic_point>& all, double wanted, bool given) {

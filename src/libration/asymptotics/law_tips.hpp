@@ -12,7 +12,6 @@
 namespace libration::ode {
 
 [[noreturn]] void refuse_law(const std::string& why);
-std::string words_of_place(const std::complex<double>& z);
 // The largest double that is certainly not above.
 double double_below(const ball& x);
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "../algebra/dense_matrix.hpp"
+#include "../plane/place_words.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/convert.hpp"
@@ -36,9 +37,7 @@ constexpr long guard_bits_of_walk = 16;
 
 std::string words_of(const complex_ball& z) {
     const std::complex<double> at = rounded_midpoint(z);
-    return at.imag() == 0 ? std::to_string(at.real())
-                          : std::to_string(at.real()) + (at.imag() < 0 ? " - " : " + ") +
-                                std::to_string(std::abs(at.imag())) + "i";
+    return at.imag() == 0 ? std::to_string(at.real()) : words_of_place(at);
 }
 
 double below_in_double(const ball& x) { return arf_get_d(arb_midref(lower_bound(x).handle()), ARF_RND_DOWN); }

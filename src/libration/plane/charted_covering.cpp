@@ -9,6 +9,7 @@
 
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/error.hpp"
+#include "place_words.hpp"
 
 namespace libration::ode {
 
@@ -122,8 +123,7 @@ charted_covering::charted_covering(const explicit_system& system, const chart_at
 void charted_covering::refuse_at(std::complex<double> place, const std::string& why) const {
     throw error(error_kind::undecided, error_subject::problem, "",
                 "has a covering of |t - t0| <= " + std::to_string(asked_.rho) + " that does not close near " +
-                    std::to_string(place.real()) + (place.imag() < 0 ? " - " : " + ") +
-                    std::to_string(std::abs(place.imag())) + "i: " + why);
+                    words_of_place(place) + ": " + why);
 }
 
 void charted_covering::add_piece(std::size_t chart, std::complex<double> centre, const std::vector<complex_ball>& state,

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "libration/plane/resonances.hpp"
+#include "place_words.hpp"
 
 namespace libration::ode {
 
@@ -126,7 +127,8 @@ private:
             const auto estimate = series.nearest(group_);
             if (!estimate || steps > most_walk_steps) {
                 throw error(error_kind::undecided, error_subject::problem, "",
-                            "shows no singularity where one was seen");
+                            "has a singularity near " + words_of_place(from_.at) +
+                                " by the search, which the series about nearby points do not show");
             }
             const double away = rounded_size(estimate->distance);
             const mpfr uncertainty = mpfr(away) * mpfr(estimate->agreement);

@@ -61,11 +61,10 @@ double double_at_least(const exact& x) {
 }
 
 ode::coefficient_law law_for(const ode::explicit_system& system, const shown_quantity& of, const law_question& asked,
-                             const request& how) {
+                             ode::plane_watch watch) {
     const whole_exponent_range exponents;
-    plane_work work(how);
     ode::law_request request{.unknown = of.unknown, .derivative = of.derivative, .terms = asked.terms};
-    request.watch = work.watch();
+    request.watch = std::move(watch);
     if (asked.within) {
         request.within = double_at_least(*asked.within);
     }
@@ -78,6 +77,8 @@ ball ball_of(const proved_decimal& value) {
     arb_set_str(result.handle(), with_bound.c_str(), ball::working_bits());
     return result;
 }
+
+known_value exact_zero() { return {proved_decimal{"0", "0"}, ""}; }
 
 // With the digits of the request or, with `fewer`, as many as are proved, else a bound.
 known_value known_of(const ball& value, long digits, bool fewer) {
@@ -99,7 +100,8 @@ public:
         : system_(system),
           of_(quantity_named(system, asked.show)),
           terms_(asked.terms),
-          law_(law_for(system, of_, asked, how)) {}
+          how_(how),
+          law_(law_for(system, of_, asked, work_.watch())) {}
 
     const ode::coefficient_law& law() const { return law_; }
     const std::string& name() const { return of_.name; }
@@ -110,7 +112,8 @@ public:
         return result;
     }
 
-    // A number of the coefficients n - back and n, and of what else has the working precision. `of` has both, 0 for the first without a `back`.
+    // A number of the coefficients n - back and n, and of what else has the working precision. `of` has both, 0 for the
+    // first without a `back`.
     struct asked_number {
         long n = 0;
         long back = 0;
@@ -118,6 +121,7 @@ public:
     };
 
     // By the law, by the recurrence if the law gives fewer digits, and then with as many as the law gives.
+    // An exact 0 is that of the coefficient.
     coefficient_value number(const asked_number& asked, long digits, source by) {
         const bool has_law = asked.n - asked.back >= law_.first();
         if (by == source::law) {
@@ -131,13 +135,17 @@ public:
             return {value, "law"};
         }
         if (asked.n <= last_power_of_recurrence) {
+            // Where the law does not distinguish it from 0, before the recurrence tries up to thousands of digits.
+            if (has_law && !by_law(asked, digits, true).decimal && is_zero_by_fractions(asked)) {
+                return {exact_zero(), "recurrence"};
+            }
             try {
                 value = by_recurrence(asked, digits);
             } catch (const error& reason) {
-                if (reason.kind() != error_kind::undecided || !is_zero_by_fractions(asked)) {
+                if (has_law || reason.kind() != error_kind::undecided || !is_zero_by_fractions(asked)) {
                     throw;
                 }
-                value.decimal = proved_decimal{"0", "0"};
+                value = exact_zero();
             }
             if (value.decimal) {
                 return {value, "recurrence"};
@@ -146,10 +154,35 @@ public:
         return {has_law ? by_law(asked, digits, true) : value, "law", false};
     }
 
-    // At the precision for so many digits.
+    // A number of the law, std::nullopt where it proves none, with as many of the digits as it gives.
     template <class Of>
-    void at_digits(long digits, const Of& of) {
-        at_bits(bits_of_digits(digits) + bits_beyond_law_digits, of);
+    known_value known(long digits, const Of& of) {
+        known_value result;
+        at_bits(bits_of_digits(digits) + bits_beyond_law_digits, [&] {
+            const std::optional<ball> found = of(law_);
+            result = found ? known_of(*found, digits, true) : known_value{};
+        });
+        return result;
+    }
+
+    struct compared_value {
+        known_value value;
+        std::string by;
+        std::string deviation;  // a bound of the distance
+    };
+    // A number of coefficients and its distance from a number of the law, empty where that proves none.
+    template <class Of>
+    compared_value compared(const asked_number& asked, long digits, source by, const Of& number_of_law) {
+        std::optional<ball> distance;
+        const auto found = number({asked.n, asked.back,
+                                   [&](const ball& before, const ball& at) {
+                                       const ball result = asked.of(before, at);
+                                       const std::optional<ball> from = number_of_law(law_);
+                                       distance = from ? std::optional(abs(ball(result - *from))) : std::nullopt;
+                                       return result;
+                                   }},
+                                  digits, by);
+        return {found.value, found.by, distance && is_finite(*distance) ? upper_bound_text(*distance) : ""};
     }
 
 private:
@@ -224,6 +257,8 @@ private:
     const ode::explicit_system system_;
     const shown_quantity of_;
     int terms_;
+    const request how_;
+    plane_work work_{how_};  // of each sharpening, too
     ode::coefficient_law law_;
     long sharp_ = 0;
 };
@@ -258,84 +293,47 @@ void require_coefficient(const proved_law& law, long n, long least) {
 
 proved_law::coefficient_value proved_law::coefficient(long n, long digits) const {
     if (values_->law().vanishes(n)) {
-        return {{proved_decimal{"0", "0"}, ""}, "symmetry"};
+        return {exact_zero(), "symmetry"};
     }
     return values_->number({n, 0, [](const ball&, const ball& at) { return at; }}, digits, source::any);
 }
 
 law_ratio proved_law::ratio(long n, long digits, source by) const {
     require_coefficient(*this, n, (by == source::law ? first() : 0) + stride());
-    std::optional<ball> distance;
-    law_ratio result;
-    const auto line = ode::line_of_ratios(values_->law());
-    const auto found = values_->number({n, stride(),
-                                        [&](const ball& before, const ball& at) {
-                                            const ball quotient = at / before;
-                                            if (const auto now = ode::line_of_ratios(values_->law())) {
-                                                distance = abs(ball(quotient - now->at(n)));
-                                            }
-                                            return quotient;
-                                        }},
-                                       digits, by);
-    result.ratio = found.value;
-    result.by = found.by;
-    if (line) {
-        values_->at_digits(digits, [&] {
-            if (const auto now = ode::line_of_ratios(values_->law())) {
-                result.line = known_of(now->at(n), digits, true);
-            }
-        });
-    }
-    if (distance && is_finite(*distance)) {
-        result.deviation = upper_bound_text(*distance);
-    }
-    return result;
+    const auto line = [n](const ode::coefficient_law& law) {
+        const auto found = ode::line_of_ratios(law);
+        return found ? std::optional(found->at(n)) : std::nullopt;
+    };
+    const auto found = values_->compared({n, stride(), [](const ball& before, const ball& at) { return at / before; }},
+                                         digits, by, line);
+    const bool has_line = line(values_->law()).has_value();
+    return {found.value, found.by, has_line ? values_->known(digits, line) : known_value{}, found.deviation};
 }
 
 law_root proved_law::root(long n, long digits, source by) const {
     require_coefficient(*this, n, by == source::law ? std::max(1L, first()) : 1);
-    std::optional<ball> distance;
-    const auto found = values_->number({n, 0,
-                                        [&](const ball&, const ball& at) {
-                                            const ball root = pow(abs(at), ball(ball(-1) / n));
-                                            if (const auto radius = ode::radius_of_law(values_->law())) {
-                                                distance = abs(ball(root - *radius));
-                                            }
-                                            return root;
-                                        }},
-                                       digits, by);
-    law_root result{found.value, found.by, ""};
-    if (distance && is_finite(*distance)) {
-        result.deviation = upper_bound_text(*distance);
+    const auto root = [n](const ball&, const ball& at) { return pow(abs(at), ball(ball(-1) / n)); };
+    const auto found = values_->compared({n, 0, root}, digits, by, ode::radius_of_law);
+    if (found.value.decimal && found.value.decimal->text == "0") {  // of the coefficient, by fractions
+        throw error(error_kind::argument, "order", std::to_string(n), "has the coefficient 0, which has no root");
     }
-    return result;
+    return {found.value, found.by, found.deviation};
 }
 
 known_value proved_law::limit(long digits) const {
-    known_value result;
-    values_->at_digits(digits, [&] {
-        const auto line = ode::line_of_ratios(values_->law());
-        result = line ? known_of(line->limit, digits, true) : known_value{};
+    return values_->known(digits, [](const ode::coefficient_law& law) {
+        const auto line = ode::line_of_ratios(law);
+        return line ? std::optional(line->limit) : std::nullopt;
     });
-    return result;
 }
 
 known_value proved_law::exponent(long digits) const {
-    known_value result;
-    values_->at_digits(digits, [&] {
-        const auto line = ode::line_of_ratios(values_->law());
-        result = line ? known_of(line->exponent, digits, true) : known_value{};
+    return values_->known(digits, [](const ode::coefficient_law& law) {
+        const auto line = ode::line_of_ratios(law);
+        return line ? std::optional(line->exponent) : std::nullopt;
     });
-    return result;
 }
 
-known_value proved_law::radius(long digits) const {
-    known_value result;
-    values_->at_digits(digits, [&] {
-        const auto radius = ode::radius_of_law(values_->law());
-        result = radius ? known_of(*radius, digits, true) : known_value{};
-    });
-    return result;
-}
+known_value proved_law::radius(long digits) const { return values_->known(digits, ode::radius_of_law); }
 
 }  // namespace libration

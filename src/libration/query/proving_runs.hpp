@@ -91,14 +91,14 @@ struct further_question {
     long error_bits = proved_march::usual_error_bits;
 };
 
-/// From so many unknowns on, with their lower derivatives, a run that ended is followed by one with as many bits as its loss
-/// justifies, instead of some more: runs take long.
+/// From so many unknowns on, with their lower derivatives, a run that ended is followed by one with as many bits as its
+/// loss justifies, instead of some more: runs take long.
 inline constexpr std::size_t many_unknowns = 6;
 /// Where a run by theorem G ends in a smaller part of the time, the next one of so many unknowns is by theorem V.
 inline constexpr double least_part_by_comparison = 1. / 16;
 inline constexpr std::size_t most_unknowns_instead_of_comparison = 40;
-/// After so many runs with values that contain 0, none follows one of more steps times unknowns times squared bits; some
-/// seconds.
+/// After so many runs with values that contain 0, none follows one of more steps times unknowns times squared bits;
+/// some seconds.
 inline constexpr int usual_runs_with_zeros = 3;
 inline constexpr double most_work_of_run_with_zeros = 1L << 28;
 
@@ -259,8 +259,8 @@ private:
         return index;
     }
 
-    // Without steps: the initial values of a constant solution, and the exponential of the matrix of a linear system; no
-    // longer if that lacks digits.
+    // Without steps: the initial values of a constant solution, and the exponential of the matrix of a linear system;
+    // no longer if that lacks digits.
     std::optional<std::vector<ball>> state_in_closed_form(std::size_t index, long bits) {
         if (constancy_ == constancy::everywhere) {
             return enclosed_start(system_, bits);

@@ -36,7 +36,8 @@ verdict judged_existence(const std::string& message, double from, double singula
 
 void add_number(outcome& to, const known_value& number, long digits, const truth& exact, const std::string& name) {
     if (number.decimal) {
-        to.add(judged(*number.decimal, digits, exact), name + " = " + number.decimal->text);
+        to.add(judged(*number.decimal, digits, exact),
+               fmt::format("{} = {} +- {}", name, number.decimal->text, number.decimal->uncertainty));
     } else if (!number.bound.empty()) {
         to.add(judged_bounds("-" + number.bound, number.bound, exact), "|" + name + "| < " + number.bound);
     }

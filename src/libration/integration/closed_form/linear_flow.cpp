@@ -255,11 +255,11 @@ std::optional<linear_flow::series_plan> linear_flow::planned_series(const number
     return best;
 }
 
-// (y(t), 1) = e^-c (T_0 + T_1 + T_2 + ..), T_0 = (y(t0), 1), T_(k+1) = N T_k/(k + 1), N = s [A b; 0 0] + c 1, s = t - t0.
-// With nu, the largest row sum of |N|, and q = nu/(k + 1) < 1, the terms after T_k have at most q/(1 - q) times the
-// largest entry of T_k as their sum. The radii grow like exp(nu), the factor is exp(-c): exp(nu - c) as more bits. Where
-// N and y(t0) are not negative, as in chains of conversions, c costs no bits, and small unknowns have as many as large
-// ones. std::nullopt where the products of matrices are estimated to cost less.
+// (y(t), 1) = e^-c (T_0 + T_1 + T_2 + ..), T_0 = (y(t0), 1), T_(k+1) = N T_k/(k + 1), N = s [A b; 0 0] + c 1, s = t -
+// t0. With nu, the largest row sum of |N|, and q = nu/(k + 1) < 1, the terms after T_k have at most q/(1 - q) times the
+// largest entry of T_k as their sum. The radii grow like exp(nu), the factor is exp(-c): exp(nu - c) as more bits.
+// Where N and y(t0) are not negative, as in chains of conversions, c costs no bits, and small unknowns have as many as
+// large ones. std::nullopt where the products of matrices are estimated to cost less.
 std::optional<std::vector<ball>> linear_flow::by_series(const number& time, long bits) const {
     const auto plan = planned_series(time, bits);
     if (!plan) {

@@ -16,8 +16,8 @@ namespace libration::ode {
 ///     (y(t), 1) = exp((t - t0) [A b; 0 0]) (y(t0), 1),
 /// without the last row and column for b = 0. For every t, stiff or not, the cost is that of some dozens of products of
 /// matrices [Arb, arb_mat_exp: scaling and squaring in balls]; if A has few entries and the largest row sum of
-/// |A (t - t0)| is moderate, that of as many products of A and a vector and some dozens more, by the Taylor series of y or
-/// of e^(c t) y (docs/theorems/equations.md).
+/// |A (t - t0)| is moderate, that of as many products of A and a vector and some dozens more, by the Taylor series of y
+/// or of e^(c t) y (docs/theorems/equations.md).
 class linear_flow {
 public:
     /// std::nullopt unless the equations have this form by exact arithmetic, at a regular initial point.

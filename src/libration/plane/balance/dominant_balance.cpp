@@ -6,6 +6,7 @@
 #include <numeric>
 #include <string>
 
+#include "../place_words.hpp"
 #include "libration/equation/constant_value.hpp"
 #include "libration/scalar/error.hpp"
 
@@ -13,8 +14,7 @@ namespace libration::ode {
 
 void refuse_balance(const std::complex<double>& place, const std::string& why) {
     throw error(error_kind::undecided, error_subject::problem, "",
-                "has a singularity near " + std::to_string(place.real()) + (place.imag() < 0 ? " - " : " + ") +
-                    std::to_string(std::abs(place.imag())) + "i " + why);
+                "has a singularity near " + words_of_place(place) + " " + why);
 }
 
 namespace {
