@@ -16,6 +16,7 @@ import argparse
 import concurrent.futures
 import pathlib
 import queue
+import re
 import shutil
 import subprocess
 import sys
@@ -32,12 +33,13 @@ SLOWER, SHORTEST = 10, 60  # with one: so many times as long as without, and at 
 LIBRARIES = ["-lhwy", "-lflint-arb", "-lflint", "-lmpfr", "-lgmp", "-lz", "-lquadmath"]
 
 
-def flags(tree):
+def flags(tree, build):
+    boost = re.search(r"^Boost_INCLUDE_DIR:PATH=(/.*)$", (build / "CMakeCache.txt").read_text(), re.MULTILINE)
     names = {"LIBRATION_SOURCE_DIR": ROOT, "LIBRATION_REFERENCE_DIR": ROOT / "tests/reference",
              "LIBRATION_CHECKER": ROOT / "check/libration_check.py"}
     return ["-std=c++20", "-O1", "-DLIBRATION_COMPILED", *(f'-D{name}="{value}"' for name, value in names.items()),
             f"-I{tree}/include", f"-I{tree}/tests", f"-I{tree}/src", f"-I{tree}/src/command",
-            "-isystem", "/usr/include/eigen3"]
+            "-isystem", "/usr/include/eigen3", *(["-idirafter", boost[1]] if boost else [])]
 
 
 def run(command, **more):
@@ -55,7 +57,7 @@ class Workshop:
 
     def compile(self, source, target):
         precompiled = ["-include", self.shared / "precompiled.hpp"] if source.parts[0] == "tests" else []
-        done = run(["g++", *flags(self.folder), *precompiled, "-c", self.folder / source, "-o", target])
+        done = run(["g++", *flags(self.folder, self.build), *precompiled, "-c", self.folder / source, "-o", target])
         return done.returncode == 0, done.stderr
 
     def failures(self, test, sources=(), kept=None):
@@ -137,13 +139,13 @@ def check_places(faults):
         sys.exit(2)
 
 
-def share(folder):
+def share(folder, build):
     """What all tests have in common: the main of Catch2 and the precompiled header."""
     (folder / "main.cpp").write_text("#define CATCH_CONFIG_MAIN\n#include <catch2/catch.hpp>\n")
     shutil.copy(ROOT / "tests/precompiled.hpp", folder / "precompiled.hpp")
     for command in (["-c", folder / "main.cpp", "-o", folder / "main.o"],
                     ["-x", "c++-header", folder / "precompiled.hpp", "-o", folder / "precompiled.hpp.gch"]):
-        done = run(["g++", *flags(ROOT), *command])
+        done = run(["g++", *flags(ROOT, build), *command])
         if done.returncode != 0:
             sys.exit(done.stderr)
 
@@ -179,7 +181,7 @@ def main():
     work = options.build.resolve() / "faults"
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
-    share(work)
+    share(work, options.build.resolve())
     free = queue.Queue()
     limits = {}
     for i in range(options.jobs):
