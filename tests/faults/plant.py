@@ -34,12 +34,12 @@ LIBRARIES = ["-lhwy", "-lflint-arb", "-lflint", "-lmpfr", "-lgmp", "-lz", "-lqua
 
 
 def flags(tree, build):
-    boost = re.search(r"^Boost_INCLUDE_DIR:PATH=(/.*)$", (build / "CMakeCache.txt").read_text(), re.MULTILINE)
+    boost = re.search(r"^Boost_DIR:PATH=(/.*)/lib/.*$", (build / "CMakeCache.txt").read_text(), re.MULTILINE)
     names = {"LIBRATION_SOURCE_DIR": ROOT, "LIBRATION_REFERENCE_DIR": ROOT / "tests/reference",
              "LIBRATION_CHECKER": ROOT / "check/libration_check.py"}
     return ["-std=c++20", "-O1", "-DLIBRATION_COMPILED", *(f'-D{name}="{value}"' for name, value in names.items()),
             f"-I{tree}/include", f"-I{tree}/tests", f"-I{tree}/src", f"-I{tree}/src/command",
-            "-isystem", "/usr/include/eigen3", *(["-idirafter", boost[1]] if boost else [])]
+            "-isystem", "/usr/include/eigen3", *(["-idirafter", f"{boost[1]}/include"] if boost else [])]
 
 
 def run(command, **more):
