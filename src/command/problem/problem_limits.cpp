@@ -44,7 +44,7 @@ std::vector<std::string> problem_options::take_limits() {
     }
     if (started) {
         throw input_error("--problem", *started,
-                          "has an initial value beside limits at both ends, which determine an orbit up to its time",
+                          "has an initial value and limits at both ends, which determine an orbit up to its time",
                           "leave the value out, or, where the orbit is symmetric about it, one of the ends: u(0) = pi; "
                           "u(inf) = 2*pi; --unknown \"u'(0)\"");
     }
