@@ -30,7 +30,7 @@ truth exact_value(const rational& q) {
     return [q] { return mpfr(q); };
 }
 
-const char* const line = "psi(-inf) = 0; psi(inf) = 0";
+const char* const whole_line = "psi(-inf) = 0; psi(inf) = 0";
 
 // c psi'' = (k^2 (x - b)^2 + d - E) psi on the line, or on a half of it: d + k sqrt(c) (2 n + 1), c a square.
 asked_well of_oscillator(choices& next) {
@@ -40,7 +40,7 @@ asked_well of_oscillator(choices& next) {
     const long r = next.between(1, 3);
     const long part = next.between(0, 2);  // the line, odd ones, even ones
     asked_well asked{fmt::format("{}*psi'' = ({}^2*(x-{})^2 + {} - E)*psi", r * r, written(k), written(b), written(d)),
-                     part == 0   ? line
+                     part == 0   ? whole_line
                      : part == 1 ? fmt::format("psi({0}) = 0; psi({1}) = 0", b.str(), next.one_in(2) ? "inf" : "-inf")
                                  : fmt::format("psi'({0}) = 0; psi({1}) = 0", b.str(), next.one_in(2) ? "inf" : "-inf"),
                      {}};
