@@ -57,7 +57,7 @@ asked_well of_sech(choices& next) {
     const rational r = positive(next);
     asked_well asked{
         fmt::format("psi'' = (-{}*{}^2*sech({}*x)^2 - E)*psi", written(rational(l * (l + 1))), written(r), written(r)),
-        line,
+        whole_line,
         {},
         denominator(l) != 1};  // for an integer l the last one is at the continuous spectrum
     for (rational rest = l; rest > 0; rest -= 1) {
@@ -71,7 +71,7 @@ asked_well of_morse(choices& next) {
     const rational a(next.between(4, 14), 4);
     const rational r = positive(next);
     asked_well asked{fmt::format("psi'' = ({0}^2*(exp(-2*{0}*x) - 2*{1}*exp(-{0}*x)) - E)*psi", written(r), written(a)),
-                     line,
+                     whole_line,
                      {},
                      denominator(rational(2 * a)) != 1};
     for (rational rest = a - rational(1, 2); rest > 0; rest -= 1) {
@@ -104,7 +104,7 @@ asked_well of_superpotential(choices& next) {
     const rational d = any_fraction(next);
     return {fmt::format("psi'' = ((({0})+({1})*x+({2})*x^2+{3}*x^3)^2 - (({1})+2*({2})*x+3*{3}*x^2) + {4} - E)*psi",
                         w[0], w[1], w[2], w[3], written(d)),
-            line,
+            whole_line,
             {exact_value(d)}};
 }
 
