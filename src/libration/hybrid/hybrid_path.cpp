@@ -153,7 +153,7 @@ bool hybrid_path::happens(const crossing_effect& event, crossing way) const {
     return way != crossing::any && (own == crossing::any || turned(own, event.orientation) == way);
 }
 
-// A function that touches 0 has none: a single moment counts for nothing.
+// A branch has none where its condition touches 0: a single moment counts for nothing.
 bool hybrid_path::has_effect(const surface& of, crossing way) const {
     return (way != crossing::any && !of.steps.empty()) ||
            std::ranges::any_of(of.events, [&](const crossing_effect& each) { return happens(each, way); });
@@ -187,6 +187,16 @@ bool hybrid_path::find(const std::optional<number>& end, const std::optional<num
             crossed_ = found->crossed;
             next_ = std::move(event);
             return true;
+        }
+        for (const crossed_surface& each : found->crossed) {
+            if (each.way == crossing::any && std::ranges::any_of(each.of.events, [&](const crossing_effect& effect) {
+                    return system_.events()[effect.index].way == crossing::any;
+                })) {
+                return ended(path_end::undecided,
+                             "the sides of `" + each.of.text +
+                                 "` are equal at a time at which the sign of their difference does "
+                                 "not change, which is no event: write the time, as `when t = 1`");
+            }
         }
         for (const std::size_t each : found->surfaces) {
             search_->resume(each);
