@@ -118,11 +118,11 @@ TEST_CASE("what has no ratios is refused", "[studies][domb_sykes]") {
 TEST_CASE("with --prove the law of an equation is in further columns", "[studies][domb_sykes]") {
     const precision_scope scope(40);
     const auto order = order_asked("study", "domb_sykes", equation_words{"y' = y^3; y(0) = 1", {}},
-                                   {{"--prove", "yes"}, {"--orders", "120"}}, 2);
+                                   {{"--prove", "yes"}, {"--orders", "80"}}, 2);
     CHECK(order.command.find("--prove --orders") == std::string::npos);
     CHECK(order.command.ends_with("--prove"));
     const auto rows = rows_of_table(tables_of(order).front());
-    REQUIRE(rows.size() == 120);
+    REQUIRE(rows.size() == 80);
     for (const table_row& row : rows) {
         const mpfr truth = 2 - mpfr(1) / number_of(row.at("n"));
         CHECK(abs(mpfr(number_of(row.at("proved_limit")) - 2)) < mpfr("1e-28"));
@@ -132,7 +132,7 @@ TEST_CASE("with --prove the law of an equation is in further columns", "[studies
             CHECK(number_of(row.at("deviation")) >= 0);
         }
     }
-    CHECK(number_of(rows.back().at("deviation")) < mpfr("1e-15"));
+    CHECK(number_of(rows.back().at("deviation")) < mpfr("1e-10"));
     CHECK(rows.front().at("law_ratio").empty());
     CHECK_THROWS_AS(tables_of(order_asked("study", "domb_sykes", equation_words{"y'' = -y; y(0) = 0; y'(0) = 1", {}},
                                           {{"--prove", "yes"}, {"--orders", "8"}}, 1)),
