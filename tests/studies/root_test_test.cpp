@@ -117,7 +117,7 @@ TEST_CASE("with --prove the roots, the radius and their distance are proved", "[
 }
 
 // x = 1/(1 - t), and y = exp(t) without a singularity.
-TEST_CASE("--prove names the unknown that has no law", "[studies][root_test]") {
+TEST_CASE("the unknown that has no law is named", "[studies][root_test]") {
     const auto of = [](const std::string& text) {
         return order_asked("study", "root_test", equation_words{text, {}}, {{"--prove", "yes"}, {"--orders", "8"}}, 1);
     };
