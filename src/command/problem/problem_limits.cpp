@@ -43,10 +43,11 @@ std::vector<std::string> problem_options::take_limits() {
         return {};  // reported where the problem is read
     }
     if (started) {
-        throw input_error("--problem", *started,
-                          "has an initial value and limits at both ends, which determine an orbit up to its time",
-                          "leave the value out, or, where the orbit is symmetric about it, one of the ends: u(0) = pi; "
-                          "u(inf) = 2*pi; --unknown \"u'(0)\"");
+        throw input_error(
+            "--problem", *started,
+            "has an initial value and limits at both ends, which determine an orbit up to its time",
+            "leave the value out, or, where the orbit is symmetric about it, one of the ends, as u(0) = pi; "
+            "u(inf) = 2*pi with --unknown \"u'(0)\"");
     }
     with_limits_ = problem_;
     problem_ = separated.problem;
