@@ -163,7 +163,7 @@ TEST_CASE("what is proved of a solution is kept where something is not", "[c]") 
     // x has a pole at 1, y = tan t goes on to pi/2, and w = -cos t is 0 there.
     const auto mixed = problem_of(
         "x' = x^2; y' = 1 + y^2; x(0) = 1; y(0) = 0; z'' = -z + z^3; z(0) = 0; z'(0) = 1; "
-        "w' = sin(t); w(0) = -1");
+        "w' = sin(t); w(0) = -1; v' = cos(t); v(0) = 0");
     libration_table* found = nullptr;
     CHECK(libration_problem_states(mixed.get(), "1/2,1", 20, LIBRATION_PROVED, nullptr, nullptr, &found) ==
           LIBRATION_UNDECIDED);
