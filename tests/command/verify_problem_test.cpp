@@ -56,8 +56,7 @@ TEST_CASE("verify refuses a column that it cannot compare", "[command][verify]")
     const std::string rows = "t,x,v\n1,0.54030230586813971740,-0.5\n";
     const auto refused = verify(rows, {"--problem", oscillator});
     CHECK(refused.exit_code == 2);
-    CHECK(
-        says(refused, "has the column 'v', which is none of 'x', 'x'': write --rename v=- to leave it out, or v=x'"));
+    CHECK(says(refused, "has the column 'v', which is none of 'x', 'x'': write --rename v=- to leave it out, or v=x'"));
     CHECK(verify(rows, {"--problem", oscillator, "--columns", "v=-"}).exit_code == 0);
     const auto compared = verify(rows, {"--problem", oscillator, "--columns", "v=x'"});
     CHECK(compared.exit_code == 1);

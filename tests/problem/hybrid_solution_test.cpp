@@ -211,7 +211,7 @@ TEST_CASE("tangential solutions end with the surface and the time", "[problem][h
     CHECK_THAT(missing_of(touching, "2"), Catch::Contains("`sign(y)` is not decided") && Catch::Contains("touches"));
     CHECK_THROWS_WITH(solve(problem("x' = sign(x); x(0) = 0")), Catch::Contains("more than one"));
     CHECK_THAT(missing_of("y' = 1; y(0) = 0; when (t - 1)^2 = 0: y = y + 5", "3"),
-               Catch::Contains("which is no event"));
+               Catch::Contains("which is not an event"));
 }
 
 // Closed forms: a store that is empty, a motion at rest, growth that is limited.

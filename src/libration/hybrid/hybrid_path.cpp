@@ -195,7 +195,7 @@ bool hybrid_path::find(const std::optional<number>& end, const std::optional<num
                 return ended(path_end::undecided,
                              "the sides of `" + each.of.text +
                                  "` are equal at a time at which the sign of their difference does "
-                                 "not change, which is no event: write the time, as `when t = 1`");
+                                 "not change, which is not an event: write the time, as `when t = 1`");
             }
         }
         for (const std::size_t each : found->surfaces) {
