@@ -198,7 +198,7 @@ TEST_CASE("the possible numbers of events of one solution are called that", "[co
     INFO(text);
     CHECK(text.starts_with("events  "));
     const bool several = text.find(" or ") != std::string::npos;
-    CHECK(several == (text.find("proved: one of these numbers") != std::string::npos));
+    CHECK(several == (text.find("proved: one of these is the number of changes of sign") != std::string::npos));
 }
 
 }  // namespace command_set_test

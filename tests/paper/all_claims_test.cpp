@@ -60,7 +60,7 @@ TEST_CASE("each claim has a test of its own", "[paper][claims]") {
     }
 }
 
-// Measured once for all that is asked of the verdicts. The published table is of one thread or of several.
+// Measured once for all checks of the verdicts, on two threads; the published table was made on any number of them.
 TEST_CASE("claims are the published ones, corrected and in the letter where they do not hold",
           "[paper][claims][errata][results]") {
     const auto claims = all_claims();

@@ -60,16 +60,7 @@ TEST_CASE("each study of any equation makes tables that depend on its inputs alo
         INFO(each->name);
         const study_order order = quick_order(*each, 2);
         const auto tables = tables_of(order);
-        const study_cells of(order);
-        std::set<cell_key> keys;
-        std::size_t cells = 0;
-        for (std::size_t i = 0; i < of.plan().groups; ++i) {
-            for (const cell_inputs& inputs : of.plan().group(i).cells) {
-                keys.insert(of.key(inputs));
-                ++cells;
-            }
-        }
-        CHECK(keys.size() == cells);
+        CHECK(has_different_keys(order));
         const auto again = tables_cell_by_cell(order);
         std::set<std::string> suffixes;
         for (std::size_t i = 0; i < tables.size(); ++i) {

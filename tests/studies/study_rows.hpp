@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -28,6 +29,20 @@ inline const study& study_of(const std::string& name) {
 inline std::vector<study_table> tables_of_study(const std::string& name, const study_words& said) {
     const study& what = study_of(name);
     return tables_of(order_of(what, said, 2));
+}
+
+/// Whether no two cells of an order have the same key.
+inline bool has_different_keys(const study_order& order) {
+    const study_cells of(order);
+    std::set<cell_key> keys;
+    std::size_t cells = 0;
+    for (std::size_t i = 0; i < of.plan().groups; ++i) {
+        for (const cell_inputs& inputs : of.plan().group(i).cells) {
+            keys.insert(of.key(inputs));
+            ++cells;
+        }
+    }
+    return keys.size() == cells;
 }
 
 /// The tables of an order whose cells are computed one at a time.

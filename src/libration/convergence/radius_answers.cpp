@@ -131,6 +131,18 @@ void scale_lengths(list_verdict& verdict, const mpfr& unit) {
     }
 }
 
+// What the verdict and its row in a table have in common.
+template <class To, class From>
+void copy_answer(To& to, const From& from) {
+    to.radius = from.radius;
+    to.uncertainty = from.uncertainty;
+    to.position = from.position;
+    to.exponent = from.exponent;
+    to.exponent_uncertainty = from.exponent_uncertainty;
+    to.kind = from.kind;
+    to.count = from.count;
+}
+
 // A list that is too short for the vote: the radius of a differential approximant that all of its coefficients satisfy to
 // the last bit.
 template <class T>
@@ -138,15 +150,8 @@ void take_equation(list_verdict& verdict, const radius_report<T>& report) {
     for (const auto& test : report.tests) {
         if (test.radius && std::string_view(test.method).starts_with("differential-approximant") &&
             test.uncertainty <= *test.radius * epsilon<T>() * T(1024)) {
-            const radius_estimate<mpfr> found = widened(test);
             verdict.growth = growth_class::finite;
-            verdict.radius = found.radius;
-            verdict.uncertainty = found.uncertainty;
-            verdict.position = found.position;
-            verdict.exponent = found.exponent;
-            verdict.exponent_uncertainty = found.exponent_uncertainty;
-            verdict.kind = found.kind;
-            verdict.count = found.count;
+            copy_answer(verdict, widened(test));
             verdict.exact = true;
             verdict.used = verdict.pattern.order;
             verdict.note = "the short list satisfies a linear differential equation";
@@ -237,13 +242,7 @@ series_list as_written(const listed_series& list) {
 radius_estimate<mpfr> estimate_of(const list_verdict& verdict) {
     radius_estimate<mpfr> row;
     row.method = "verdict";
-    row.radius = verdict.radius;
-    row.uncertainty = verdict.uncertainty;
-    row.position = verdict.position;
-    row.exponent = verdict.exponent;
-    row.exponent_uncertainty = verdict.exponent_uncertainty;
-    row.kind = verdict.kind;
-    row.count = verdict.count;
+    copy_answer(row, verdict);
     row.note =
         verdict.radius && !verdict.pattern.text().empty() ? verdict.pattern.text() + "; " + verdict.note : verdict.note;
     return row;

@@ -153,7 +153,7 @@ bool hybrid_path::happens(const crossing_effect& event, crossing way) const {
     return way != crossing::any && (own == crossing::any || turned(own, event.orientation) == way);
 }
 
-// A branch has none where its condition touches 0: a single moment counts for nothing.
+// A step function whose argument touches 0 does not change the branch: a single moment counts for nothing.
 bool hybrid_path::has_effect(const surface& of, crossing way) const {
     return (way != crossing::any && !of.steps.empty()) ||
            std::ranges::any_of(of.events, [&](const crossing_effect& each) { return happens(each, way); });
