@@ -22,7 +22,7 @@ if (equation ne '') {
     # Beyond the order from which every arithmetic is at its floor, the curves are level: that part is not drawn. The
     # title of a panel whose orders end before states it.
     reaches = "eval last_cell('last', table, 'floor', of_panel(\"is('method', 'series')\"))"
-    x_axis = "eval extent('x', table, 'order', both(of_panel('1'), \"is('floor', 'no')\")); eval extent('all', table, 'order', of_panel('1')); set xrange [0:smaller(all_high, larger(1.25 * x_high, 20.0))]; set xtics step_of(smaller(all_high, larger(1.25 * x_high, 20.0)))"
+    x_axis = "eval extent('x', table, 'order', both(of_panel('1'), \"is('floor', 'no')\")); eval extent('all', table, 'order', of_panel('1')); eval extent('level', table, 'order', both(of_panel('1'), 'at(\"order\") > x_high')); end_ = smaller(all_high, larger(level_low > x_high ? 1.12 * level_low : x_high, 20.0)); set xrange [0:end_]; set xtics step_of(end_)"
     prepare = prepare."; ".reaches."; panel_title = panel_title.(last eq 'yes' ? '' : ': floor beyond N = '.last_order)"
     finish = 'set xtics autofreq'
     eval last_cell('last_order', table, 'order', '1')
