@@ -154,8 +154,9 @@ resummation_terms terms_by_another_route(const motion& m, int order) {
         const mpfr first = terms.alpha[n] * reach;
         const mpfr second = terms.beta[n] * reach * terms.effective_period;
         terms.sigma.push_back(mpfr(terms.angle - first - second));
-        terms.sigma_slope.push_back(
-            mpfr(terms.speed - (first * (index + 1) + second * (index + 2)) / terms.effective_period));
+        // The empty sum of n = 0 is 0.
+        const mpfr slope = terms.speed - (first * (index + 1) + second * (index + 2)) / terms.effective_period;
+        terms.sigma_slope.push_back(n == 0 ? mpfr(0) : slope);
     }
     return terms;
 }
