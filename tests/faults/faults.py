@@ -1555,6 +1555,16 @@ FAULTS = [
         ("the slope of a vortex at another time", "{t * g, g + h, w}", "{t * g, g, w}"),
     ),
     *in_file(
+        "src/libration/query/connection/linear_decay.cpp", ["query/connection/linear_decay_test.cpp"],
+        ("a bounded solution taken for one that decays", "sign_at_infinity(potential) <= 0 || tends_to_zero(potential)",
+         "sign_at_infinity(potential) <= 0"),
+        ("uniqueness with q < 0", "sign_at_infinity(of_.restoring) < 0", "sign_at_infinity(of_.restoring) < -1"),
+        ("p < 0 that is not small", "sign_at_infinity(of_.damping) < 0 && !tends_to_zero(of_.damping)",
+         "sign_at_infinity(of_.damping) < 0 && tends_to_zero(of_.damping)"),
+        ("a pole of p on the way", "if (!is_positive_from(below, from) && !", "if (false && !"),
+        ("the damping left out", "state->slope - state->value * damping / 2", "state->slope"),
+    ),
+    *in_file(
         "src/libration/query/connection/far_state.cpp", ["query/connection/connection_test.cpp"],
         ("limits that are not those of an equilibrium accepted", "        if (is_identically_zero(e)) {",
          "        if (open_in(e).empty()) {"),

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "../query/connection/homoclinic_limits.hpp"
+#include "connection_notes.hpp"
 #include "found_eigenvalues.hpp"
 #include "found_values.hpp"
 #include "libration/equation/text/parse.hpp"
@@ -44,7 +45,7 @@ answer connection_found(const problem& of, const std::vector<std::string>& unkno
         question.digits = digits;
         const auto found =
             about(error_subject::unknowns, [&] { return ode::proved_connection(question, route, watch_of(how)); });
-        notes = {{"proved", found.proved}, {"not claimed", found.not_claimed}};
+        notes = notes_of(found);
         for (const ode::connection_number& each : found.more) {
             notes.push_back({each.name, each.value.text, each.kind});
         }

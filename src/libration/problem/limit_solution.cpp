@@ -7,6 +7,8 @@
 #include "../query/connection/carried_connection.hpp"
 #include "../query/connection/connection_orbit.hpp"
 #include "../query/connection/layer_connection.hpp"
+#include "../query/connection/linear_decay.hpp"
+#include "connection_notes.hpp"
 #include "found_values.hpp"
 #include "libration/equation/constant_value.hpp"
 #include "libration/equation/text/limit_condition.hpp"
@@ -51,7 +53,7 @@ found_limits find_limits(const limit_problem& of, long digits, const ode::proof_
         try {
             result.connection =
                 about(error_subject::unknowns, [&] { return ode::proved_connection(question, route, watch_of(how)); });
-            result.notes = {{"proved", result.connection.proved}, {"not claimed", result.connection.not_claimed}};
+            result.notes = notes_of(result.connection);
             if (!result.connection.phase.empty()) {
                 result.notes.push_back({"phase", result.connection.phase});
             }
@@ -238,7 +240,7 @@ answer limit_solution::states_by(const std::vector<exact>& times, const std::vec
 std::vector<answer_value> limit_solution::limits_of_flow(limits_of_unknowns& flow, int direction, long digits) const {
     const ode::connection_question question{of_.of.equations(), of_.unknowns, limits_of(of_), {}, digits};
     const bool of_layer = ode::is_layer(question) || ode::is_carried(question);
-    const bool rests = of_layer || ode::is_well(question.system, question.unknowns);
+    const bool rests = of_layer || ode::is_linear_decay(question) || ode::is_well(question.system, question.unknowns);
     std::vector<answer_value> row;
     for (const std::string& name : quantities_) {
         row.push_back(flow.limit(name, direction, digits, rests, of_layer).value_or(answer_value{}));

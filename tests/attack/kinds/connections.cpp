@@ -266,8 +266,46 @@ asked_connection of_ground_state(choices& next) {
             20};
 }
 
+// y'' + p y' = q y with q = h' + h^2 + p h has the solution y'/y = h, here -(a + b t + c t^2) + e/(t + 9), which tends to 0. If q < 0
+// at infinity, others may tend to 0 too: then no answer is true.
+asked_connection of_linear_decay(choices& next) {
+    struct damping {
+        const char* text;
+        double (*value)(double t);
+    };
+    static constexpr damping dampings[] = {{"0", [](double) { return 0.; }},
+                                           {"2", [](double) { return 2.; }},
+                                           {"t", [](double t) { return t; }},
+                                           {"4*t^3", [](double t) { return 4 * t * t * t; }},
+                                           {"(-1/(t^2+1))", [](double t) { return -1 / (t * t + 1); }},
+                                           {"2/(t+5)", [](double t) { return 2 / (t + 5); }}};
+    const damping& p = dampings[next.below(6)];
+    const long degree = next.between(0, 2);
+    const long a = degree == 0 ? next.between(1, 3) : next.between(-2, 2);
+    const long b = degree == 0 ? 0 : degree == 1 ? next.between(1, 3) : next.between(-2, 2);
+    const long c = degree == 2 ? next.between(1, 3) : 0;
+    const long e = next.between(0, 2);
+    const std::string h = fmt::format("({}/(t+9) - ({} + {}*t + {}*t^2))", e, a, b, c);
+    const rational t(next.between(-6, 12), next.one_in(2) ? 4 : 3);
+    const constant start = simple_constant(next);
+    const double far = 1e6;
+    const double slope = -(static_cast<double>(a) + static_cast<double>(b) * far + static_cast<double>(c) * far * far);
+    const bool is_determined = slope * (slope + p.value(far)) >= 0;
+    const truth value = [=] {
+        const rational rate = rational(e) / (t + 9) - (a + b * t + c * t * t);
+        return mpfr(start.value() * mpfr(rate) + (is_determined ? 0 : 1));
+    };
+    const std::string point = fmt::format("({}/{})", numerator(t).str(), denominator(t).str());
+    return {fmt::format("y'' + {0}*y' = ({1}^2 + {0}*{1} - {2}/(t+9)^2 - {3} - 2*{4}*t)*y; y({5}) = {6}; y'({5}) = -1",
+                        p.text, h, e, b, c, point, start.text),
+            {"y(inf) = 0"},
+            fmt::format("y'({})", point),
+            value};
+}
+
 asked_connection any_connection(choices& next) {
-    switch (next.below(13)) {
+    switch (next.below(14)) {
+        case 13: return of_linear_decay(next);
         case 9: return of_power_decay(next);
         case 10: return of_atom(next);
         case 11: return of_moving_field(next);

@@ -19,6 +19,7 @@
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/decimal.hpp"
 #include "libration/scalar/error.hpp"
+#include "linear_decay.hpp"
 #include "nearer_guess.hpp"
 #include "power_connection.hpp"
 #include "radial_connection.hpp"
@@ -346,7 +347,10 @@ connection proved_connection(const connection_question& question, const proof_ro
     if (is_power_decay(question)) {
         return proved_power_decay(question, route, watch);
     }
-    return is_radial(question) ? proved_radial(question, route, watch) : proved_orbit(question, route, watch);
+    if (is_radial(question)) {
+        return proved_radial(question, route, watch);
+    }
+    return is_linear_decay(question) ? proved_linear_decay(question, watch) : proved_orbit(question, route, watch);
 }
 
 }  // namespace libration::ode

@@ -57,6 +57,21 @@ rational_function rational_function::of_inverse() const {
     return {reversed(above_), reversed(below_)};
 }
 
+rational_function rational_function::of_sum(const rational& c) const {
+    const auto shifted = [&](const rational_polynomial& p) {
+        rational_polynomial result;
+        for (int i = p.degree(); i >= 0; --i) {
+            result = result * rational_polynomial(std::vector<rational>{c, 1}) + rational_polynomial(p[i]);
+        }
+        return result;
+    };
+    return {shifted(above_), shifted(below_)};
+}
+
+rational_function rational_function::derivative() const {
+    return {above_.derivative() * below_ - above_ * below_.derivative(), below_ * below_};
+}
+
 rational_function power(const rational_function& of, long n) {
     if (n < 0) {
         return rational_function(1) / power(of, -n);

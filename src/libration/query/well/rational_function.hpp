@@ -28,9 +28,12 @@ public:
     friend rational_function operator*(const rational_function& a, const rational_function& b);
     friend rational_function operator/(const rational_function& a, const rational_function& b);
     friend bool operator==(const rational_function& a, const rational_function& b) = default;
-    /// Of -s, and of 1/s.
+    /// Of -s, of 1/s, and of s + c.
     rational_function of_negative() const;
     rational_function of_inverse() const;
+    rational_function of_sum(const rational& c) const;
+    /// The derivative by s.
+    rational_function derivative() const;
 
 private:
     rational_polynomial above_, below_;

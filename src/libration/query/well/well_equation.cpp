@@ -158,6 +158,32 @@ well_equation well_equation::reflected() const {
     return result;
 }
 
+damped_equation damped_equation::reflected() const {
+    damped_equation result = *this;
+    result.damping = rational_function(-1) * (exponential ? damping.of_inverse() : damping.of_negative());
+    result.restoring = exponential ? restoring.of_inverse() : restoring.of_negative();
+    return result;
+}
+
+damped_equation damped_equation::shifted(const rational& c) const {
+    damped_equation result = *this;
+    result.damping = damping.of_sum(c);
+    result.restoring = restoring.of_sum(c);
+    return result;
+}
+
+well_equation damped_equation::without_damping() const {
+    const rational_function by_s =
+        exponential ? rational_function(rate) * rational_function::variable() : rational_function(1);
+    well_equation result;
+    result.unknown = unknown;
+    result.potential = restoring + rational_function(rational(1, 4)) * damping * damping +
+                       rational_function(rational(1, 2)) * by_s * damping.derivative();
+    result.exponential = exponential;
+    result.rate = rate;
+    return result;
+}
+
 bool well_equation::is_even() const { return reflected().potential == potential; }
 
 bool is_linear_of_second_order(const equation_system& system) {
@@ -203,6 +229,23 @@ well_equation read_well(const equation_system& system, const std::string& energy
                                             "'' = (V - c*" + energy + ")*" + form->unknown + ", c > 0");
     }
     result.weight = weight.above()[0];
+    return result;
+}
+
+damped_equation read_damped(const equation_system& system) {
+    const auto form = linear_form_of(system, "");
+    if (!form) {
+        throw error(error_kind::argument, error_subject::problem, "",
+                    "is not one linear equation of order 2, without a further term: write y'' + p*y' = q*y");
+    }
+    const potential_reader reader(form->second + form->first + form->zeroth, system.variable);
+    damped_equation result;
+    result.unknown = form->unknown;
+    result.exponential = reader.is_exponential();
+    result.rate = result.exponential ? reader.rate() : rational(1);
+    const rational_function second = reader.read(form->second);
+    result.damping = reader.read(form->first) / second;
+    result.restoring = rational_function(-1) * reader.read(form->zeroth) / second;
     return result;
 }
 

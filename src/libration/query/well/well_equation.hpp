@@ -21,6 +21,21 @@ struct well_equation {
     bool is_even() const;
 };
 
+/// d^2 y/dx^2 + p(s) dy/dx = q(s) y with s = x, or s = exp(r x).
+struct damped_equation {
+    std::string unknown;
+    rational_function damping;    ///< p
+    rational_function restoring;  ///< q
+    bool exponential = false;     ///< s = exp(r x)
+    rational rate = 1;            ///< r > 0
+
+    /// The same equation in -x, and in x - c; the latter only for s = x.
+    damped_equation reflected() const;
+    damped_equation shifted(const rational& c) const;
+    /// psi'' = V psi with V = q + p^2/4 + (dp/dx)/2 for psi = y exp(integral of p/2), as a well with E = 0.
+    well_equation without_damping() const;
+};
+
 /// Whether the equations have the form of a well: one linear equation of order 2, whose coefficients contain no other
 /// unknown, with the variable in it.
 bool is_linear_of_second_order(const equation_system& system);
@@ -28,5 +43,8 @@ bool is_linear_of_second_order(const equation_system& system);
 /// The equation in which `energy` is the number E. Throws error of the subject "problem" that names the term for which it has
 /// not this form.
 well_equation read_well(const equation_system& system, const std::string& energy);
+
+/// The equation, without another parameter. Throws error like read_well().
+damped_equation read_damped(const equation_system& system);
 
 }  // namespace libration::ode

@@ -40,18 +40,10 @@ well_side::well_side(const well_equation& of, well_end end, ball m)
     }
 }
 
-// p(b - t) as a polynomial in t.
 void well_side::read_pole() {
-    const rational& b = *end_.point;
-    const auto from_end = [&](const rational_polynomial& p) {
-        rational_polynomial result;
-        for (int i = p.degree(); i >= 0; --i) {
-            result = result * rational_polynomial(std::vector<rational>{b, -1}) + rational_polynomial(p[i]);
-        }
-        return result.coefficients();
-    };
-    std::vector<rational> above = from_end(well_.potential.above());
-    std::vector<rational> below = from_end(well_.potential.below());
+    const rational_function from_end = well_.potential.of_sum(*end_.point).of_negative();
+    std::vector<rational> above = from_end.above().coefficients();
+    std::vector<rational> below = from_end.below().coefficients();
     std::size_t order = 0;
     while (below.front() == 0) {
         below.erase(below.begin());
@@ -268,7 +260,7 @@ std::optional<end_state> well_side::carried(const second_order_equation& of, bal
             step && magnitude(step->length()).exponent() < magnitude(from - m_).exponent() - bits_of_shortest_step;
         if (!step || stands) {
             throw error(error_kind::undecided, error_subject::problem, "",
-                        "has a singular point between the ends of the well, which is not supported");
+                        "has a singular point between its ends, which is not supported");
         }
         const auto solution = step->solution(state.value, state.slope / speed(from));
         if (!solution) {
