@@ -1561,8 +1561,8 @@ FAULTS = [
         ("uniqueness with q < 0", "sign_at_infinity(of_.restoring) < 0", "sign_at_infinity(of_.restoring) < -1"),
         ("p < 0 that is not small", "sign_at_infinity(of_.damping) < 0 && !tends_to_zero(of_.damping)",
          "sign_at_infinity(of_.damping) < 0 && tends_to_zero(of_.damping)"),
-        ("a pole of p on the way", "if (!is_positive_from(below, from) && !", "if (false && !"),
-        ("the damping left out", "state->slope - state->value * damping / 2", "state->slope"),
+        ("a pole of p on the way", "contains_zero(root.im) && !certainly_less(root.re, from)", "contains_zero(root.im) && certainly_less(root.re, from)"),
+        ("the damping left out", "state->slope - state->value * value_of(of_.damping) / 2", "state->slope"),
     ),
     *in_file(
         "src/libration/query/connection/far_state.cpp", ["query/connection/connection_test.cpp"],

@@ -53,6 +53,8 @@ TEST_CASE("linear equations whose solution decays at infinity", "[ode][proved]")
     const ball at_one = bessel_i(1, ball(1));
     CHECK(has_value("y'' = (1 + exp(-2*t))*y; y(0) = 1; y(inf) = 0", "y'(0)", ball(1) - bessel_i(0, ball(1)) / at_one,
                     30));
+    // exp(-t): p has poles off the real axis.
+    CHECK(has_value("y'' + y'/(t^2+1) = (1 - 1/(t^2+1))*y; y(-5) = 1; y(inf) = 0", "y'(-5)", ball(-1), 30));
     // exp(-t)/(t + 3).
     CHECK(has_value("y'' + 2*y'/(t+3) = y; y(-1) = 1; y(inf) = 0", "y'(-1)", ball(-3) / 2, 30));
 }
@@ -80,6 +82,8 @@ TEST_CASE("linear equations whose limit is not proved to determine a solution", 
     CHECK_THAT(refusal("y'' = t*y; y(0) = 0; y(inf) = 0"), Contains("only the solution 0"));
     // exp(-t^2/2).
     CHECK_THAT(refusal("y'' = (t^2-1)*y; y(0) = 1; y(inf) = 0"), Contains("not distinguished from 0"));
+    // t exp(-t^2/2).
+    CHECK_THAT(refusal("y'' = (t^2-3)*y; y(0) = 1; y(inf) = 0"), Contains("value at the initial point is not"));
     CHECK_THAT(refusal("y'' = t*y; y(0) = a; y'(0) = -a; y(inf) = 0; a = 1", "a"), Contains("one linear equation"));
 }
 

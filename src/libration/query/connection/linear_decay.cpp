@@ -1,11 +1,13 @@
 #include "linear_decay.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
 #include "../../equation/bound_text.hpp"
 #include "../well/polynomial_range.hpp"
 #include "../well/well_side.hpp"
+#include "libration/algebra/rational_polynomial.hpp"
 #include "libration/digits/precision_loop.hpp"
 #include "libration/equation/parametric_system.hpp"
 #include "libration/equation/polynomial_form.hpp"
@@ -20,6 +22,7 @@ namespace {
 
 constexpr long first_digits_of_linear = 20;
 constexpr long most_digits_of_linear = 640;
+constexpr long digits_of_roots = 40;
 
 [[noreturn]] void refuse_linear(const std::string& reason) {
     throw error(error_kind::undecided, error_subject::problem, "", reason);
@@ -31,6 +34,16 @@ int sign_at_infinity(const rational_function& f) {
 }
 
 bool tends_to_zero(const rational_function& f) { return f.above().degree() < f.below().degree(); }
+
+// Whether a real root of p at or above `from` is not excluded.
+bool may_have_root_beyond(const rational_polynomial& p, const ball& from) {
+    const precision_scope scope(digits_of_roots);
+    return std::ranges::any_of(irreducible_factors(p), [&](const auto& factor) {
+        return std::ranges::any_of(enclosed_roots(factor.first), [&](const complex_number<ball>& root) {
+            return contains_zero(root.im) && !certainly_less(root.re, from);
+        });
+    });
+}
 
 // The two initial values, of which one is the unknown.
 struct start_with_limit {
@@ -73,36 +86,50 @@ public:
     }
 
     connection result() const {
-        std::optional<ball> last;
+        std::string zero = "";  // what is not distinguished from 0
         const growing_digits runs{question_.digits, first_digits_of_linear, most_digits_of_linear};
         const std::string& name = question_.unknowns.front();
+        const auto attempt = [&](const precision_run&) -> std::optional<proved_decimal> {
+            if (watch_) {
+                watch_(ball(0), ball::working_bits());
+            }
+            const auto state = well_side(of_.without_damping(), well_end{}, from()).at(ball(0), false);
+            if (!state) {
+                return std::nullopt;
+            }
+            const ball slope = state->slope - state->value * value_of(of_.damping) / 2;
+            const ball& by = start_.is_slope_unknown ? state->value : slope;
+            if (contains_zero(by)) {
+                zero = "has a solution that tends to 0 whose " + given_part() + " at the initial point";
+                return std::nullopt;
+            }
+            const ball given = expression_values<ball>({}, ball(0)).of(start_.known) * (is_left() ? -1 : 1);
+            const ball value = given * (start_.is_slope_unknown ? slope : state->value) / by;
+            if (contains_zero(value)) {
+                const std::string bound = bound_text(upper_bound(abs(value)), MPFR_RNDU);
+                zero = "has " + name + " between -" + bound + " and " + bound + ", which";
+                return std::nullopt;
+            }
+            return to_proved_decimal(value, question_.digits);
+        };
         connection result;
         try {
-            result.values.push_back(with_growing_precision(
-                runs, "the proof of " + std::to_string(question_.digits) + " digits", [&](const precision_run&) {
-                    if (watch_) {
-                        watch_(ball(0), ball::working_bits());
-                    }
-                    const auto value = unknown_value();
-                    last = value ? value : last;
-                    return value && !contains_zero(*value) ? to_proved_decimal(*value, question_.digits) : std::nullopt;
-                }));
+            result.values.push_back(
+                with_growing_precision(runs, "the proof of " + std::to_string(question_.digits) + " digits", attempt));
         } catch (const error& problem) {
-            if (problem.kind() == error_kind::undecided && last && contains_zero(*last)) {
-                const std::string bound = bound_text(upper_bound(abs(*last)), MPFR_RNDU);
-                throw error(
-                    error_kind::undecided, error_subject::solution, "",
-                    "has " + name + " between -" + bound + " and " + bound + ", which is not distinguished from 0");
+            if (problem.kind() != error_kind::undecided || zero.empty()) {
+                throw;
             }
-            throw;
+            throw error(error_kind::undecided, error_subject::solution, "", zero + " is not distinguished from 0");
         }
         const std::string limit = question_.limits.front().text;
         result.proved = "exactly one " + name + " for which " + limit + ": no other solution with this " +
-                        (start_.is_slope_unknown ? "value" : "slope") + " at the initial point tends to 0";
+                        given_part() + " at the initial point tends to 0";
         return result;
     }
 
 private:
+    std::string given_part() const { return start_.is_slope_unknown ? "value" : "slope"; }
     bool is_left() const { return question_.limits.front().direction < 0; }
 
     void require_unique_decay() const {
@@ -122,25 +149,15 @@ private:
         if (sign_at_infinity(of_.restoring) < 0) {
             refuse_linear(form + "q < 0 at infinity, where it is not proved that the limit 0 determines a solution");
         }
-        const ball from(of_.exponential ? 1 : 0);
-        const ball_polynomial below = balls_of(of_.damping.below());
-        if (!is_positive_from(below, from) && !is_positive_from(added({}, -1, below), from)) {
+        if (may_have_root_beyond(of_.damping.below(), from())) {
             refuse_linear(form + "it is not seen that p has no pole between the initial point and infinity");
         }
     }
 
-    // At the working precision; std::nullopt if it is too low.
-    std::optional<ball> unknown_value() const {
-        const ball from(of_.exponential ? 1 : 0);
-        const auto state = well_side(of_.without_damping(), well_end{}, from).at(ball(0), false);
-        if (!state) {
-            return std::nullopt;
-        }
-        const ball damping =
-            value_at(balls_of(of_.damping.above()), from) / value_at(balls_of(of_.damping.below()), from);
-        const ball slope = state->slope - state->value * damping / 2;
-        const ball given = expression_values<ball>({}, ball(0)).of(start_.known) * (is_left() ? -1 : 1);
-        return start_.is_slope_unknown ? given * slope / state->value : given * state->value / slope;
+    // The initial point as s, and a function there.
+    ball from() const { return of_.exponential ? ball(1) : ball(0); }
+    ball value_of(const rational_function& f) const {
+        return value_at(balls_of(f.above()), from()) / value_at(balls_of(f.below()), from());
     }
 
     const connection_question& question_;
