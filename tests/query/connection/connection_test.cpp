@@ -156,6 +156,14 @@ TEST_CASE("orbits between two equilibria", "[ode][proved]") {
     CHECK(within_a_unit(pushed.values[0], ball(10) / 4, 20));
 }
 
+// 13.926557, by others.
+TEST_CASE("the homoclinic orbit of Lorenz's equations", "[.long]") {
+    const std::string limits = "x(-inf) = 0; y(-inf) = 0; z(-inf) = 0; x(inf) = 0; y(inf) = 0; z(inf) = 0";
+    const auto found =
+        connected("x' = 10*(y - x); y' = r*x - y - x*z; z' = x*y - 8*z/3; " + limits, {"r=14"}, 15).values.at(0);
+    CHECK_THAT(found.text, Catch::StartsWith("13.926557"));
+}
+
 TEST_CASE("boundary layers", "[ode][proved]") {
     CHECK(connected("f''' + f*f'' = 0; f(0) = 0; f'(0) = 0; f'(inf) = 1", {"f''(0)"}, 50).values[0].text ==
           "0.46959998836101330450933365344758845872133407845029");
