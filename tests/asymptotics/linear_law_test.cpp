@@ -134,6 +134,65 @@ TEST_CASE("apparent singular points and entire solutions have no terms", "[asymp
     CHECK(certainly_less(sine.mean().exact(), ball(cosh(ball(20)) * 2)));
 }
 
+// a_n of 2F1(a, b; c; t) is the product of (a + k)(b + k)/((c + k)(1 + k)), k < n, which balls compute without the equation.
+void check_hypergeometric(const std::string& text, const rational& a, const rational& b, const rational& c,
+                          const ball& first, long digits) {
+    INFO(text);
+    const precision_scope scope(60);
+    coefficient_law law = law_at(text);
+    law.sharpen();
+    ball truth = first;
+    for (long n = 0; n <= 1000; ++n) {
+        if (n >= law.first() && (n < law.first() + 20 || n % 97 == 0 || n == 1000)) {
+            INFO("n = " << n);
+            CHECK(overlaps(law.value(n), truth));
+        }
+        if (n == 1000) {
+            CHECK(certainly_less(radius_of(law.value(n)), ball(abs(truth) * pow(ball(10), -digits))));
+        }
+        const rational k(static_cast<int>(n));
+        truth *= from_rational<ball>(rational((a + k) * (b + k) / ((c + k) * (1 + k))));
+    }
+}
+
+TEST_CASE("solutions from a singular initial point", "[asymptotics][proved]") {
+    // The elliptic integral K(m), 2F1 with a logarithm and with a power at 1, and one whose other exponent at 0 is -3/2.
+    check_hypergeometric("t*(1-t)*y'' + (1-2*t)*y' - y/4 = 0; y(0) = pi/2; y'(0) = pi/8", rational(1, 2),
+                         rational(1, 2), 1, ball(pi<ball>() / 2), 40);
+    check_hypergeometric("t*(1-t)*y'' + (1/3-2*t)*y' - y/4 = 0; y(0) = 1; y'(0) = 3/4", rational(1, 2), rational(1, 2),
+                         rational(1, 3), ball(1), 40);
+    check_hypergeometric("t*(1-t)*y'' + (5/2-3*t)*y' - 3/4*y = 0; y(0) = 1; y'(0) = 3/10", rational(1, 2),
+                         rational(3, 2), rational(5, 2), ball(1), 40);
+    const precision_scope scope(60);
+    const coefficient_law elliptic = law_at("t*(1-t)*y'' + (1-2*t)*y' - y/4 = 0; y(0) = pi/2; y'(0) = pi/8");
+    REQUIRE(elliptic.fixed_points().size() == 1);
+    CHECK(elliptic.fixed_points()[0].leading().front().power == 1);
+    CHECK(contains(elliptic.fixed_points()[0].leading().front().coefficient.re, ball(-1) / 2));
+    // log(1 + t)/t by an inhomogeneous equation: a_n = (-1)^n/(n + 1)
+    coefficient_law quotient = law_at("t*y' = -y + 1/(1+t); y(0) = 1");
+    quotient.sharpen();
+    for (const long n : {60L, 61L, 1000L}) {
+        CHECK(overlaps(quotient.value(n), ball(n % 2 == 0 ? 1 : -1) / (n + 1)));
+    }
+    // J_0 is entire: a_(2k) = (-1/4)^k/k!^2, below the bound of any rho.
+    const coefficient_law bessel = law_at("y'' + y'/t + y = 0; y(0) = 1; y'(0) = 0", {.within = 10});
+    CHECK_FALSE(bessel.has_singularities());
+    CHECK(bessel.stride() == 2);
+    ball a(1);
+    for (long k = 1; k < 60; ++k) {
+        a = a / (4 * k * k);
+        CHECK(certainly_less(a, ball(bessel.error_bound(2 * k))));
+    }
+    // The mean of |J_0| on the circle is below I_0(10) = 2815.7.
+    CHECK(certainly_less(bessel.mean().exact(), ball(3 * 2816)));
+    CHECK(reason_of("y'' + y'/t + y = 0; y(0) = 1; y'(0) = 0").find("has an entire solution") != std::string::npos);
+}
+
+// (1 - t)^(1/3) + .. by an equation whose leading coefficient has multiple zeros, the paths of which pass two of them.
+TEST_CASE("multiple zeros of the leading coefficient", "[asymptotics][proved]") {
+    check_against_recurrence("(1-t)^2*(1+t^2)^2*y'' + y = 0; y(0) = 1; y'(0) = 1/3", 300, 10);
+}
+
 TEST_CASE("what is refused of linear equations, with its place", "[asymptotics][proved]") {
     CHECK(reason_of("(1-t)^2*y' = y; y(0) = 1").find("irregular singular point at t - t0 = 1.0") != std::string::npos);
     CHECK(reason_of("y' = y/(1-t)/3; y(0) = 1", {.within = 1}).find("not decided to be inside") != std::string::npos);

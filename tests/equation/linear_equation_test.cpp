@@ -51,6 +51,15 @@ TEST_CASE("a polynomial on the right is differentiated away", "[equation][proved
     CHECK(contains(more->start()[4], ball(1) / 12));  // 12 a_4 = a_1 + 1
 }
 
+TEST_CASE("a singular initial point is a zero of the leading coefficient", "[equation]") {
+    const auto bessel = typed("y'' + y'/t + y = 0; y(0) = 1; y'(0) = 0");
+    REQUIRE(bessel);
+    CHECK(bessel->leading() == rational_polynomial(std::vector<rational>{0, 1}) * bessel->leading()[1]);
+    const auto removable = typed("t*y'' = t*y; y(0) = 1; y'(0) = 0");
+    REQUIRE(removable);
+    CHECK(removable->leading().degree() == 0);
+}
+
 TEST_CASE("what is no such equation", "[equation]") {
     CHECK_FALSE(typed("y' = y^2; y(0) = 1"));
     CHECK_FALSE(typed("y' = sin(t)*y; y(0) = 1"));
@@ -58,6 +67,7 @@ TEST_CASE("what is no such equation", "[equation]") {
     CHECK_FALSE(typed("y' = 1/y; y(0) = 1"));
     CHECK_FALSE(typed("x' = y; y' = -x; x(0) = 1; y(0) = 0"));
     CHECK_FALSE(typed("y' = y/(1-t); y(sqrt(1/2)) = 1"));
+    CHECK_FALSE(typed("y' = 1/sqrt(t) - y; y(0) = 0"));
 }
 
 }  // namespace equation_linear_equation_test

@@ -1473,11 +1473,14 @@ FAULTS = [
         "src/libration/plane/fuchsian_point.cpp", ["plane/fuchsian_point_test.cpp"],
         ("logarithms taken for single values", "has_no_value({v.begin() + 1, v.end()})", "true"),
         ("a pole taken for an apparent singular point", "return each.exponent >= 0;", "return true;"),
+        ("a singular initial point in powers of t* - t", "? rational_polynomial(rational(1))", "? rational_polynomial(rational(-1))"),
     ),
     *in_file(
         "src/libration/asymptotics/linear_law.cpp", ["asymptotics/linear_law_test.cpp"],
         ("a singular point on the circle", "if (!certainly_less(modulus, rho)) {", "if (false) {"),
         ("an irregular singular point", "if (!structure.is_regular()) {", "if (false) {"),
+        ("the first coefficients at a singular start without the last that the equation leaves open",
+         "first.push_back({complex_ball(expansion.coefficients(0)[n])});", "first.push_back({complex_ball(n > 0 ? 0 : 1)});"),
     ),
     *in_file(
         "src/libration/asymptotics/ratio_line.cpp", ["asymptotics/ratio_line_test.cpp"],

@@ -58,4 +58,21 @@ TEST_CASE("exponents at conjugate points, irrational ones and irregular points",
     CHECK_FALSE(point_of("(1-t)^2*y' = y; y(0) = 1", at_one).is_regular());
 }
 
+// Bessel's equation of order 1 has 1 and -1 at 0; J_1 there, and the other solution with a logarithm: x^-1 (1 + v x^2 log x + ..).
+TEST_CASE("a singular initial point, in powers of t itself", "[plane][proved]") {
+    const auto bessel = point_of("t^2*y'' + t*y' + (t^2-1)*y = 0; y(0) = 0; y'(0) = 1/2", {0, 1});
+    REQUIRE(bessel.is_start());
+    REQUIRE(bessel.is_regular());
+    REQUIRE(bessel.classes().size() == 1);
+    CHECK(bessel.classes()[0].exponent == -1);
+    CHECK(bessel.classes()[0].offsets == std::vector<std::pair<long, int>>{{0, 1}, {2, 1}});
+    REQUIRE(bessel.classes()[0].solutions[0].v[2].size() == 2);
+    // ((1 + S)^2 - 1) v_2 = -v_0, of which S^1 gives 2 v = -1
+    CHECK(bessel.classes()[0].solutions[0].v[2][1] == rational_polynomial(rational(-1, 2)));
+    const auto elliptic = point_of("t*(1-t)*y'' + (1-2*t)*y' - y/4 = 0; y(0) = 4; y'(0) = 1", {0, 1});
+    CHECK(elliptic.coefficients()[1][1] == elliptic.coefficients()[1][0] * rational(-2));
+    CHECK_FALSE(elliptic.has_single_values());
+    CHECK_FALSE(point_of("(1-t^2)*y'' - 2*t*y' + 4/9*y = 0; y(0) = 1; y'(0) = 1/2", at_one).is_start());
+}
+
 }  // namespace plane_fuchsian_point_test

@@ -155,4 +155,16 @@ TEST_CASE("the first pole of the tritronquee solution", "[ode][singularity]") {
     CHECK(std::abs(place(map.all.front()) - 2.38416876956881664) < slack);
 }
 
+// Falkner and Skan's equation with beta = 1/2: places beyond the nearest singularity -3.54573.. that no path reaches.
+TEST_CASE("a map ends before the nearest place that cannot be followed", "[plane]") {
+    const std::string text = "f''' = -f*f'' - 1/2*(1-f'^2); f(0) = 0; f'(0) = 0; f''(0) = 9/10";
+    const auto map = map_of(text);
+    REQUIRE_FALSE(map.all.empty());
+    CHECK(static_cast<double>(map.all.front().offset.re) == Approx(-3.545731774386213));
+    CHECK(map.within < 2 * 3.5457);
+    for (const found_singularity& each : map.all) {
+        CHECK(static_cast<double>(modulus_of(each.offset)) <= map.within);
+    }
+}
+
 }  // namespace plane_singularity_map_test

@@ -11,6 +11,7 @@
 #include "libration/equation/text/parse.hpp"
 #include "libration/problem/find.hpp"
 #include "libration/problem/known/pendulum_solution.hpp"
+#include "libration/problem/proved_law.hpp"
 #include "libration/scalar/error.hpp"
 
 namespace problem_solution_test {
@@ -100,6 +101,23 @@ TEST_CASE("a solution has a radius about any point, fractions and singularities"
     CHECK_FALSE(poles.missing);
     CHECK_THROWS_AS(x->radius("1/2", proved_digits(5)), error);
     CHECK_THROWS_AS(x->require_point("f(1)"), error);
+}
+
+// tan t, whose coefficients are 1, 1/3, 2/15, 17/315, and the pendulum, whose closed forms have no law of their own.
+TEST_CASE("a solution has the law of its coefficients", "[problem][asymptotics]") {
+    const auto law = solve(problem(tangent))->law({}, proved_digits(20));
+    CHECK(law.name() == "x");
+    CHECK(law.stride() == 2);
+    REQUIRE(law.limit(20).decimal);
+    CHECK(law.limit(20).decimal->text.starts_with("0.4052847345693510857"));  // 4/pi^2
+    const auto at = law.coefficient(7, 15).value;
+    REQUIRE(at.decimal);
+    CHECK(at.decimal->text.starts_with("0.05396825396825"));
+    const auto pendulum = solve(problem("th'' = -sin(th); th(0) = 0; th'(0) = sqrt(17/5)"));
+    CHECK(pendulum->closed_form() == "the pendulum");
+    CHECK(pendulum->law({.show = "th'"}, proved_digits(20)).stride() == 2);
+    CHECK_THROWS_WITH(solve(problem("x' = -x(t-1); x(t <= 0) = 1"))->law({}, proved_digits(20)),
+                      Catch::Contains("is piecewise or has delays"));
 }
 
 TEST_CASE("a value that is missing has its reason, and an empty text is a value", "[problem]") {

@@ -29,7 +29,7 @@ struct local_operator {
 /// About an ordinary point t0 + centre, x = t - t0 - centre. The roots are those of p_r with their multiplicity.
 local_operator operator_about(const linear_equation& of, const complex_ball& centre,
                               const std::vector<complex_ball>& roots);
-/// At the root `place` of the factor of a regular singular point, x = 1 - (t - t0)/place; the roots are the others. Throws precision_exhausted if
+/// At the root `place` of the factor of a regular singular point, x = 1 - (t - t0)/place, or t - t0 where that is 0; the roots are the others. Throws precision_exhausted if
 /// exponents that are not rational are not proved to be different, also by integers.
 local_operator operator_at(const fuchsian_point& of, const complex_ball& place,
                            const std::vector<complex_ball>& others);

@@ -23,7 +23,7 @@ struct exponent_class {
     long last() const { return offsets.back().first; }
 };
 
-/// About a root t* of an irreducible factor of p_r, with x = 1 - (t - t0)/(t* - t0), log(x) and x^e real on the segment from t0,
+/// About a root t* of an irreducible factor of p_r, with x = 1 - (t - t0)/(t* - t0), or x = t - t0 for t* = t0, log(x) and x^e real on the segment from t0,
 ///     L x^e = sum over l >= 0 of Q_l(e) x^(e+l-m),   Q_l(e) = sum over i of c_il e (e - 1) .. (e - i + 1),
 /// with c_il in Q(alpha), alpha = t* - t0; Q_0 is the indicial polynomial, of degree r at regular singular points [Fuchs, Frobenius]. With S the shift
 /// v_k -> v_(k+1) of coefficients of log^k/k!, which is x d/dx - e on them, the coefficients satisfy
@@ -35,6 +35,8 @@ public:
     fuchsian_point(const linear_equation& of, const rational_polynomial& factor);
 
     const number_field& field() const { return field_; }
+    /// Whether t* = t0.
+    bool is_start() const { return field_.modulus() == rational_polynomial({rational(0), rational(1)}); }
     /// Whether the point is a regular singular one; otherwise there is nothing else.
     bool is_regular() const { return regular_; }
     /// c_il.

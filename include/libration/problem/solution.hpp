@@ -23,6 +23,8 @@
 namespace libration {
 
 class ball;
+class proved_law;
+struct law_question;
 
 namespace ode {
 struct event_request;
@@ -129,6 +131,9 @@ public:
     /// what was searched; if none is found there, another that this proves nothing, and the answer is heuristic. Throws
     /// error of the kind undecided if no distance is given and none is found.
     virtual answer singularities(const std::optional<double>& within, const request& how) const = 0;
+    /// The law of all Taylor coefficients about the start, proved (problem/proved_law.hpp), independent of this object. Throws
+    /// error as proved_law does, and of the kind undecided for piecewise equations and delays.
+    virtual proved_law law(const law_question& asked, const request& how) const;
 
     /// The steps of kept integrations that have been made up to now; 0 if none are kept.
     virtual std::size_t steps_made() const { return 0; }

@@ -28,6 +28,7 @@ constexpr long digits_of_movable_constants = 80;
 constexpr int most_law_attempts = 3;
 constexpr long bits_of_first_covering = 128;
 constexpr double size_of_change = 1.6;
+constexpr double least_gap_of_candidates = 1.001;
 constexpr long digits_of_law_bounds = 30;
 
 [[noreturn]] void refuse_without_chart(const found_singularity& found) {
@@ -55,10 +56,13 @@ bool is_outside(const complex_ball& place, double rho) {
 }  // namespace
 
 coefficient_law coefficient_law::of(const explicit_system& system, const law_request& asked) {
-    if (system.singular()) {
-        refuse_law("has a singular initial point, about which no law is proved");
+    if (system.singular() && !linear_equation::of(system)) {
+        refuse_law(
+            "has a singular initial point, about which a law is only proved of one linear equation with rational "
+            "functions as coefficients");
     }
-    closed_equation equation = closed_equation_of(system, asked.unknown, asked.derivative);
+    closed_equation equation = system.singular() ? closed_equation{system, asked.derivative, 0}
+                                                 : closed_equation_of(system, asked.unknown, asked.derivative);
     coefficient_law law(std::move(equation.system));
     law.shift_ = equation.shift;
     law.shown_ = equation.shown;
@@ -84,7 +88,7 @@ coefficient_law coefficient_law::of(const explicit_system& system, const law_req
 void coefficient_law::cover_linear(const linear_equation& equation, const law_request& asked) {
     rho_ = 0;
     last_term_ = asked.terms;
-    const auto found = std::make_shared<linear_law>(equation, asked.within, asked.watch);
+    const auto found = std::make_shared<linear_law>(equation, system_, asked.within, asked.watch);
     found->bound_circle();
     linear_ = found;
     mean_ = linear_->mean();
@@ -127,7 +131,13 @@ void coefficient_law::cover(const law_request& asked) {
             try {
                 tips.push_back(algebraic_point_near(system_, *atlas_, *uniformizing_, exact_point(near), asked.terms));
             } catch (const precision_exhausted&) {
-                refuse_without_chart(each);
+                // What the search finds behind others need not be a singularity: RHO before it, which the covering proves.
+                const double before = tips.empty() ? std::abs(near) : std::abs(rounded_midpoint(tips.back().place));
+                if (asked.within || !(std::abs(near) > before * least_gap_of_candidates)) {
+                    refuse_without_chart(each);
+                }
+                circle.rho = few_bits_between(before, std::abs(near));
+                break;
             }
         }
         circle.rho = circle_of_slits(tips, circle.rho, asked.within.has_value());

@@ -29,7 +29,8 @@ double size_at(const found_singularity& of, std::size_t shown, double distance) 
     return std::isfinite(size) && size > 0 ? size : 0;
 }
 
-// Near sqrt(a b), with as many bits as that takes.
+}  // namespace
+
 double few_bits_between(double a, double b) {
     const double middle = std::sqrt(a * b);
     for (int bits = 7;; ++bits) {
@@ -40,8 +41,6 @@ double few_bits_between(double a, double b) {
         }
     }
 }
-
-}  // namespace
 
 law_circle circle_for(const explicit_system& system, std::size_t shown, const std::optional<double>& within,
                       const plane_watch& watch) {

@@ -17,6 +17,9 @@ struct law_circle {
     double size = 0;
 };
 
+/// Near sqrt(a b), with as many bits as that takes.
+double few_bits_between(double a, double b);
+
 /// With rho as given or between the moduli, with a logarithmic gap on both sides. Throws error of the kind undecided if none is
 /// found and no rho is given.
 law_circle circle_for(const explicit_system& system, std::size_t shown, const std::optional<double>& within,

@@ -136,10 +136,10 @@ void linear_law::add_gap(const gap& over, const std::vector<fixed_point_terms>& 
     if (high - low <= angle_margin_of_arcs) {
         return;
     }
-    const std::vector<complex_ball> all = roots();
+    const std::vector<complex_ball> all = zeros();
     const double middle = low + part_of_gap * (high - low);
     const complex_ball begin = exact_point(std::polar(rho_, middle));
-    const state at_middle = walked(start(), complex_ball(0), begin, all);
+    const state at_middle = walked_from_start(begin, all);
     for (const int direction : {1, -1}) {
         state now = at_middle;
         complex_ball centre = begin;
@@ -167,9 +167,7 @@ void linear_law::bound_circle() {
     mean_ = magnitude();
     if (places_.empty()) {
         const ball rho = exactly(rho_);
-        const frobenius_series series =
-            series_about(equation_, complex_ball(0), start(), {}, {2 * rho_, rho_, bits_of_pieces, 0});
-        ++discs_;
+        const frobenius_series series = series_about_start({2 * rho_, rho_, bits_of_pieces, 0}, zeros());
         mean_ = magnitude(series.bound(rho, rho));
         return;
     }

@@ -9,6 +9,7 @@
 
 #include "../algebra/dense_matrix.hpp"
 #include "../plane/place_words.hpp"
+#include "libration/expansion/ball_expansion.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 #include "libration/scalar/convert.hpp"
@@ -56,8 +57,9 @@ double few_bits_below(double x, double least) {
 
 }  // namespace
 
-linear_law::linear_law(linear_equation of, const std::optional<double>& within, plane_watch watch)
-    : equation_(std::move(of)), watch_(std::move(watch)) {
+linear_law::linear_law(linear_equation of, const explicit_system& system, const std::optional<double>& within,
+                       plane_watch watch)
+    : equation_(std::move(of)), system_(system), watch_(std::move(watch)) {
     const precision_scope scope(digits_of_places);
     find_places();
     choose_circle(within);
@@ -66,6 +68,11 @@ linear_law::linear_law(linear_equation of, const std::optional<double>& within, 
 
 void linear_law::find_places() {
     for (const auto& [factor, multiplicity] : irreducible_factors(equation_.leading())) {
+        if (factor[0] == 0) {
+            origin_.emplace(equation_, factor);
+            multiplicity_of_origin_ = multiplicity;
+            continue;
+        }
         structures_.emplace_back(equation_, factor);
         multiplicities_.push_back(multiplicity);
         for (const complex_ball& root : enclosed_roots(factor)) {
@@ -74,6 +81,9 @@ void linear_law::find_places() {
         }
     }
     std::ranges::stable_sort(places_, {}, &place::modulus);
+    if (origin_ && !origin_->is_regular()) {
+        refuse_linear("has an irregular singular initial point, about which no law is proved");
+    }
 }
 
 // The least end of a slit of usual length, of the places up to an index.
@@ -169,7 +179,7 @@ std::vector<complex_ball> linear_law::roots() const {
     return result;
 }
 
-// With their multiplicities.
+// With their multiplicities, and t0.
 std::vector<complex_ball> linear_law::others_than(std::size_t k, const std::vector<complex_ball>& all) const {
     std::vector<complex_ball> result;
     for (std::size_t j = 0; j < all.size(); ++j) {
@@ -177,6 +187,7 @@ std::vector<complex_ball> linear_law::others_than(std::size_t k, const std::vect
             result.push_back(all[j]);
         }
     }
+    result.resize(result.size() + static_cast<std::size_t>(multiplicity_of_origin_), complex_ball(0));
     return result;
 }
 
@@ -188,12 +199,48 @@ double linear_law::distance_from(const complex_ball& z, const std::vector<comple
     return least;
 }
 
-linear_law::state linear_law::start() const {
-    state result;
-    for (const ball& each : equation_.start()) {
-        result.emplace_back(each);
+frobenius_series linear_law::series_about_start(series_demand demand, const std::vector<complex_ball>& zeros) const {
+    if (watch_) {
+        watch_(plane_step::disc);
     }
-    return result;
+    ++discs_;
+    if (!origin_) {
+        const std::vector<ball> known = equation_.start();
+        return series_about(equation_, complex_ball(0), {known.begin(), known.end()}, zeros, demand);
+    }
+    std::vector<complex_ball> others = zeros;
+    others.resize(zeros.size() - static_cast<std::size_t>(multiplicity_of_origin_));
+    local_operator about = operator_at(*origin_, complex_ball(0), others);
+    // Beyond the last exponent that is a whole number the coefficients follow from those before.
+    long last = static_cast<long>(equation_.order());
+    for (const exponent_class& each : origin_->classes()) {
+        last = std::max(last, static_cast<long>(std::ceil(static_cast<double>(each.exponent))) + each.last());
+    }
+    const auto more = scope_for_series(about, demand);
+    about = operator_at(*origin_, complex_ball(0), others);
+    const tape made = tape::about_start(system_);
+    taylor_expansion<ball> expansion(made, static_cast<int>(last));
+    expansion.about_start();
+    std::vector<std::vector<complex_ball>> first;
+    for (long n = 0; n <= last; ++n) {
+        first.push_back({complex_ball(expansion.coefficients(0)[n])});
+    }
+    return {about, complex_ball(0), std::move(first), demand};
+}
+
+// Straight from t0 to b.
+linear_law::state linear_law::walked_from_start(const complex_ball& b, const std::vector<complex_ball>& zeros) const {
+    const std::complex<double> end = rounded_midpoint(b);
+    const double distance =
+        places_.empty() ? std::numeric_limits<double>::infinity() : distance_from(complex_ball(0), roots());
+    const bool arrives = std::abs(end) <= part_of_step * distance;
+    const complex_ball next = arrives ? b : exact_point(end * (part_of_step * distance / std::abs(end)));
+    const double length = std::abs(rounded_midpoint(next));
+    const double reach = places_.empty() ? 2 * length : part_of_distance * distance;
+    const frobenius_series series =
+        series_about_start({reach, length, static_cast<long>(ball::working_bits()) + guard_bits_of_walk, 0}, zeros);
+    const state at = series.derivatives(next, equation_.order());
+    return arrives ? at : walked(at, next, b, zeros);
 }
 
 // By the series about a, which is exact; b is inside its reach.
@@ -257,11 +304,14 @@ fixed_point_terms linear_law::terms_at(std::size_t k, int least) const {
     const auto more = scope_for_series(about, demand);
     all = roots();
     about = operator_at(structure, all[k], others_than(k, all));
-    state at_base = start();
-    if (base < 1) {
+    state at_base;
+    if (base == 1) {
+        for (const ball& each : equation_.start()) {
+            at_base.emplace_back(each);
+        }
+    } else {
         // Around a pole before it on the ray.
         const complex_ball end = all[k] * exactly(1 - base);
-        complex_ball from(0);
         double aside = 1;
         bool meets = false;
         for (std::size_t j = 0; j < places_.size(); ++j) {
@@ -273,10 +323,12 @@ fixed_point_terms linear_law::terms_at(std::size_t k, int least) const {
             }
         }
         if (meets) {
-            from = exact_point(std::polar(places_[k].modulus * (1 - base), places_[k].angle + aside));
-            at_base = walked(at_base, complex_ball(0), from, all);
+            const complex_ball from =
+                exact_point(std::polar(places_[k].modulus * (1 - base), places_[k].angle + aside));
+            at_base = walked(walked_from_start(from, zeros()), from, end, zeros());
+        } else {
+            at_base = walked_from_start(end, zeros());
         }
-        at_base = walked(at_base, from, end, all);
     }
     const complex_ball scale{-all[k].re, -all[k].im};
     complex_ball power(1);

@@ -7,18 +7,21 @@
 #include <vector>
 
 #include "libration/asymptotics/fixed_point_terms.hpp"
+#include "libration/equation/explicit_system.hpp"
 #include "libration/integration/plane_watch.hpp"
 
 namespace libration::ode {
 
 /// Theorem F [docs/asymptotics.md]. A solution has no other singularities than the zeros of p_r (Fuchs), so that it is analytic in |t - t0| <=
-/// rho without the slits from these on, and paths in there lead to their local expansions and to the circle.
+/// rho without the slits from these on, and paths in there lead to their local expansions and to the circle. At a singular t0 it is the
+/// power series that theorem S determines, of the exponents 0, 1, ..: the series of Frobenius with its first coefficients.
 class linear_law {
 public:
     /// rho as given or between the moduli of the singular points, up to three times the least. Throws error of the kind undecided if an
     /// irregular singular point is inside, if a slit inside is longer than the distance to the next singular point allows, if two
-    /// are on one ray, or if there is no singular point and no rho.
-    linear_law(linear_equation of, const std::optional<double>& within, plane_watch watch);
+    /// are on one ray, or if there is no singular point besides t0 and no rho. The system is that of the equation.
+    linear_law(linear_equation of, const explicit_system& system, const std::optional<double>& within,
+               plane_watch watch);
 
     double rho() const { return rho_; }
     /// Of the solutions, in |t - t0| = rho.
@@ -44,6 +47,7 @@ private:
     void choose_circle(const std::optional<double>& within);
     void check_inside();
     std::vector<complex_ball> roots() const;
+    std::vector<complex_ball> zeros() const { return others_than(places_.size(), roots()); }
     complex_ball root_at(std::size_t k) const;
     std::vector<complex_ball> others_than(std::size_t k, const std::vector<complex_ball>& all) const;
     double distance_from(const complex_ball& z, const std::vector<complex_ball>& all) const;
@@ -51,7 +55,8 @@ private:
                 const std::vector<complex_ball>& all) const;
     state walked(const state& from, const complex_ball& a, const complex_ball& b,
                  const std::vector<complex_ball>& all) const;
-    state start() const;
+    frobenius_series series_about_start(series_demand demand, const std::vector<complex_ball>& zeros) const;
+    state walked_from_start(const complex_ball& b, const std::vector<complex_ball>& zeros) const;
     fixed_point_terms terms_at(std::size_t k, int least) const;
     std::vector<gap> gaps() const;
     double width_of_tip(const fixed_point_terms& of, double widest) const;
@@ -61,10 +66,13 @@ private:
                      const std::vector<complex_ball>& all);
 
     linear_equation equation_;
+    explicit_system system_;
     plane_watch watch_;
+    std::optional<fuchsian_point> origin_;  ///< at t0 if it is a root of p_r
+    int multiplicity_of_origin_ = 0;
     std::vector<fuchsian_point> structures_;
     std::vector<int> multiplicities_;
-    std::vector<place> places_;        ///< all roots of p_r
+    std::vector<place> places_;        ///< all roots of p_r but t0
     std::vector<std::size_t> inside_;  ///< those in |t - t0| < rho with Im >= 0
     double rho_ = 0;
     magnitude mean_;

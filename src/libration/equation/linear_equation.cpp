@@ -161,8 +161,8 @@ std::vector<rational_polynomial> differentiated(const std::vector<rational_polyn
 }  // namespace
 
 std::optional<linear_equation> linear_equation::of(const explicit_system& system) {
-    if (system.unknowns().size() != 1 || system.singular() || !system.algebraic().empty() ||
-        system.starts().size() != 1) {
+    if (system.unknowns().size() != 1 || !system.algebraic().empty() || system.starts().size() != 1 ||
+        (system.singular() && system.singular()->root != 1)) {
         return std::nullopt;
     }
     const auto origin = expression(system.point()).fraction();
@@ -189,7 +189,7 @@ std::optional<linear_equation> linear_equation::of(const explicit_system& system
     for (int k = 0; k <= result.right_.degree(); ++k) {
         result.coefficients_ = differentiated(result.coefficients_);
     }
-    if (below[0] == 0 || result.order() > highest_order_of_linear) {
+    if ((below[0] == 0 && !system.singular()) || result.order() > highest_order_of_linear) {
         return std::nullopt;
     }
     return result;

@@ -49,8 +49,10 @@ bool has_no_value(const std::vector<rational_polynomial>& all) {
 
 fuchsian_point::fuchsian_point(const linear_equation& of, const rational_polynomial& factor) : field_(factor) {
     const std::size_t order = of.order();
-    // t - t0 = alpha (1 - x): p_i^(j)(alpha)/j! (-alpha)^(j - i) x^j (d/dx)^i.
-    const rational_polynomial minus_alpha = field_.reduced(rational_polynomial({rational(0), rational(-1)}));
+    // t - t0 = alpha (1 - x): p_i^(j)(alpha)/j! (-alpha)^(j - i) x^j (d/dx)^i. For x = t - t0 with 1 in the place of -alpha.
+    const rational_polynomial minus_alpha = is_start()
+                                                ? rational_polynomial(rational(1))
+                                                : field_.reduced(rational_polynomial({rational(0), rational(-1)}));
     const rational_polynomial inverse = field_.inverse(minus_alpha);
     std::vector<std::vector<rational_polynomial>> at(order + 1);
     long lowest = 0;

@@ -141,7 +141,7 @@ local_operator operator_at(const fuchsian_point& of, const complex_ball& place,
         result.exponents.insert(result.exponents.end(), found.begin(), found.end());
     }
     for (const complex_ball& each : others) {
-        result.zeros.push_back(complex_ball(1) - each / place);
+        result.zeros.push_back(of.is_start() ? each : complex_ball(1) - each / place);
     }
     return result;
 }

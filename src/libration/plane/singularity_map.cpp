@@ -22,6 +22,7 @@ using wide_complex = complex_number<mpfr>;
 // The factor by which the bound grows in each step of a search without a given bound.
 constexpr double search_growth = 1.4;
 constexpr double farthest_search = 64;
+constexpr double part_before_unfollowed = 0.999;
 
 // The images of a singularity under the symmetry, itself first.
 std::vector<found_singularity> images_of(const found_singularity& one, int rotation) {
@@ -86,6 +87,12 @@ leaf_group leaves_named(const explicit_system& of, const std::vector<std::string
 
 // The search for the singularities of the unknowns of one strongly connected component: in the system of these and of
 // all unknowns that they depend on, in its own units.
+// A place that a search found and to which no path could be followed.
+struct unfollowed_place {
+    double modulus;
+    error reason;
+};
+
 class component_search {
 public:
     component_search(const explicit_system& whole, const std::vector<std::size_t>& component,
@@ -123,7 +130,8 @@ public:
     }
 
     // Adds the singularities of the component, in high precision.
-    void refine(double within, long digits, std::vector<found_singularity>& all) const {
+    void refine(double within, long digits, std::vector<found_singularity>& all,
+                std::vector<unfollowed_place>& unfollowed) const {
         for (const candidate& each : search_->found()) {
             if (!is_own(each) || in_time(std::abs(each.at)) > within) {
                 continue;
@@ -134,9 +142,16 @@ public:
             for (plane_point& corner : in_place.path) {
                 corner = in_time(corner);
             }
-            const auto one = of_whole(refined_place(paths_, in_place, own_, digits));
-            for (found_singularity& image : images_of(one, rotation_)) {
-                all.push_back(std::move(image));
+            try {
+                const auto one = of_whole(refined_place(paths_, in_place, own_, digits));
+                for (found_singularity& image : images_of(one, rotation_)) {
+                    all.push_back(std::move(image));
+                }
+            } catch (const error& reason) {
+                if (reason.kind() != error_kind::undecided) {
+                    throw;
+                }
+                unfollowed.push_back({std::abs(in_place.at), reason});
             }
             if (watch_) {
                 watch_(plane_step::point);
@@ -276,15 +291,26 @@ plane_watch marking(const plane_watch& watch) {
     };
 }
 
-// Until the progress callback ends it.
-void refine_all(const component_searches& searches, long digits, singularity_map& map) {
+// Until the progress callback ends it. Without a given distance the map ends before the nearest place that cannot be followed.
+void refine_all(const component_searches& searches, const singularity_request& request, singularity_map& map) {
+    std::vector<unfollowed_place> unfollowed;
     try {
         for (const auto& each : searches) {
-            each->refine(map.within, digits, map.all);
+            each->refine(map.within, request.digits, map.all, unfollowed);
         }
     } catch (const ended_by_watch& reason) {
         map.ended = reason.of;
     }
+    if (unfollowed.empty()) {
+        return;
+    }
+    const auto& nearest = *std::ranges::min_element(unfollowed, {}, &unfollowed_place::modulus);
+    const double end = nearest.modulus * part_before_unfollowed;
+    std::erase_if(map.all, [&](const found_singularity& each) { return rounded_size(each.offset) > end; });
+    if (request.within || map.all.empty()) {
+        throw error(nearest.reason);
+    }
+    map.within = std::min(map.within, end);
 }
 
 bool is_before(const found_singularity& a, const found_singularity& b) {
@@ -328,7 +354,7 @@ singularity_map searched(const explicit_system& system, const singularity_reques
         map.points += each->points();
         map.unexplained += each->unexplained();
     }
-    refine_all(searches, request.digits, map);
+    refine_all(searches, request, map);
     map.complete = map.unexplained == 0;
     std::ranges::stable_sort(map.all, is_before);
     return map;

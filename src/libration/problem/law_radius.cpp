@@ -43,7 +43,7 @@ std::string words_of_row(const std::vector<answer_value>& row) {
 }  // namespace
 
 std::string kinds_by_law(const ode::explicit_system& system, const request& how) {
-    if (system.unknowns().size() != 1 || system.singular()) {
+    if (system.unknowns().size() != 1) {
         return "";
     }
     request fewer = how;
@@ -106,14 +106,15 @@ std::optional<answer> radius_by_linear_law(const ode::explicit_system& system, c
     }
     const auto [below, above] = outward_decimals(*lower, *upper, digits);
     const std::string kinds = kinds_by_law(system, how);
-    return answer{.names = {"lower", "upper"},
-                  .rows = {{{below, ""}, {above, ""}}},
-                  .rigour = "proved",
-                  .notes = {{"lower",
-                             "no solution of the equation has a singularity at a smaller distance, by the zeros "
-                             "of its leading coefficient and their exponents"},
-                            {"upper", "the constant of a singular term at that distance is nonzero"},
-                            {"nearest", kinds.empty() ? "of undecided kind" : kinds}}};
+    return answer{
+        .names = {"lower", "upper"},
+        .rows = {{{below, ""}, {above, ""}}},
+        .rigour = "proved",
+        .notes = {{"lower", std::string(system.singular() ? "the solution has no singularity"
+                                                          : "no solution of the equation has a singularity") +
+                                " at a smaller distance, by the zeros of its leading coefficient and their exponents"},
+                  {"upper", "the constant of a singular term at that distance is nonzero"},
+                  {"nearest", kinds.empty() ? "of undecided kind" : kinds}}};
 }
 
 }  // namespace libration

@@ -6,6 +6,7 @@
 #include "libration/number/given_number.hpp"
 #include "libration/problem/axis.hpp"
 #include "libration/problem/known_facts.hpp"
+#include "libration/problem/proved_law.hpp"
 #include "libration/problem/radius_answer.hpp"
 #include "libration/problem/solution.hpp"
 #include "libration/query/proved_events.hpp"
@@ -73,6 +74,11 @@ answer solution::radius(const series_request& of, const request& how) const {
 
 answer solution::radius(const std::string& about, const request& how) const {
     return radius({.order = usual_order_of_radius, .about = about}, how);
+}
+
+proved_law solution::law(const law_question& /*asked*/, const request& /*how*/) const {
+    throw error(error_kind::undecided, error_subject::problem, "",
+                "is piecewise or has delays, and no law of its coefficients is proved");
 }
 
 std::unique_ptr<solution> solve(const problem& given, const settings& by) {

@@ -14,6 +14,7 @@
 #include "libration/number/two_proofs.hpp"
 #include "libration/problem/known_facts.hpp"
 #include "libration/problem/proved_answer.hpp"
+#include "libration/problem/proved_law.hpp"
 #include "libration/query/limit.hpp"
 #include "libration/query/proved_events.hpp"
 #include "libration/query/states.hpp"
@@ -206,5 +207,7 @@ answer taylor_solution::events(const ode::event_request& of, const request& how,
 ode::expression taylor_solution::condition(const std::string& text) const {
     return ode::parse_condition(equations_, text);
 }
+
+proved_law taylor_solution::law(const law_question& asked, const request& how) const { return {system_, asked, how}; }
 
 }  // namespace libration

@@ -43,6 +43,7 @@ public:
     std::optional<answer> fractions(const series_request& of) const override;
     std::vector<unknown_series> coefficient_lists(const series_request& of, const scalar_spec& scalar) const override;
     answer singularities(const std::optional<double>& within, const request& how) const override;
+    proved_law law(const law_question& asked, const request& how) const override;
     answer proved_radius(const series_request& of, const request& how) const override;
     std::optional<bool> is_single_valued(const series_request& of, const complex_number<mpfr>& place,
                                          const request& how) const override;

@@ -200,6 +200,24 @@ asked_law any_linear(choices& next) {
     return of_equation(made);
 }
 
+// t (1 - s t) y'' + (c - d t) y' - e y = 0 from 0, where only y_0 is free: (m + 1)(m + c) a_(m+1) = (s m (m - 1) + d m + e) a_m.
+asked_law any_singular_start(choices& next) {
+    const rational s = few(next, false);
+    const rational c = abs(few(next, false));
+    const rational d = few(next);
+    const rational e = few(next);
+    const rational start = few(next, false);
+    return {fmt::format("t*(1 - ({})*t)*y'' + ({} - ({})*t)*y' - ({})*y = 0; y(0) = {}; y'(0) = {}", s.str(), c.str(),
+                        d.str(), e.str(), start.str(), rational(e * start / c).str()),
+            [=](long n) {
+                std::vector<mpfr> a{real(start)};
+                for (long m = 0; m < n; ++m) {
+                    a.push_back(a.back() * ((real(s) * (m - 1) + real(d)) * m + real(e)) / ((real(c) + m) * (m + 1)));
+                }
+                return a;
+            }};
+}
+
 // x_k' = sum of c x_i x_j, where x_0 = 1 stands for a factor less; the law is that of x_1.
 struct quadratic_system {
     struct product {
@@ -455,13 +473,14 @@ mpfr asked_law::coefficient(long n, int derivative) const {
 }
 
 asked_law any_law(choices& next) {
-    const auto kind = next.below(14);
+    const auto kind = next.below(15);
     return kind < 2    ? any_riccati(next)
            : kind < 4  ? any_second_order(next)
            : kind < 6  ? any_abel(next)
            : kind < 7  ? any_root(next)
            : kind < 8  ? any_logarithm(next)
            : kind < 12 ? any_linear(next)
+           : kind < 13 ? any_singular_start(next)
                        : any_quadratic_system(next);
 }
 

@@ -26,7 +26,7 @@ constexpr long bits_of_first_corrections = 200;
 constexpr long known_bits_of_place = 40;
 constexpr double longest_movable_reach = 0.97;
 constexpr double shorter_reach = 0.94;
-constexpr int most_reaches = 60;
+constexpr int most_reaches = 140;  // exponents 5/2 + 3.4 i leave a hundredth
 // Near enough that the pieces before it reach the points that are in no tip.
 constexpr double longest_distance_of_base = 0.02;
 constexpr double part_of_reach_of_base = 0.2;

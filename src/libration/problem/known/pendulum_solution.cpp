@@ -18,6 +18,7 @@
 #include "libration/pendulum/sampler.hpp"
 #include "libration/plane/proved_singularity.hpp"
 #include "libration/problem/axis.hpp"
+#include "libration/problem/proved_law.hpp"
 #include "libration/scalar/decimal.hpp"
 #include "motion_series.hpp"
 
@@ -81,6 +82,9 @@ public:
     std::optional<mpfr> exact_radius(const std::string& about, long digits) const override;
     answer singularities(const std::optional<double>& within, const request& how) const override {
         return general("for the singularities").singularities(within, how);
+    }
+    proved_law law(const law_question& asked, const request& how) const override {
+        return general("for the law of coefficients").law(asked, how);
     }
     answer proved_radius(const series_request& of, const request& how) const override;
 
