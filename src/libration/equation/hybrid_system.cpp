@@ -376,9 +376,10 @@ void hybrid_system::keep_both_sides(std::size_t step, const step_values& values,
         const auto at_0 = [&](const expression& e) {
             return same_form(e, argument(step, values)) ? std::optional(expression()) : std::nullopt;
         };
-        parts = parts + zero_where_defined(is_emptied(values[step])
-                                               ? replaced_as_written(with_removed_singularities(parameters.in(both)), at_0)
-                                               : both);
+        parts =
+            parts + zero_where_defined(is_emptied(values[step])
+                                           ? replaced_as_written(with_removed_singularities(parameters.in(both)), at_0)
+                                           : both);
     }
     expression& last = of.equations.back().right;
     last = last + parts;

@@ -286,7 +286,8 @@ std::string hybrid_path::reason_at_store() const {
     const std::vector<ball> first = piece_->along->start().set.hull();
     for (const surface& each : system_.surfaces(piece_->steps)) {
         const auto& leaves = system_.leaves();
-        const auto found = std::ranges::find_if(leaves, [&](const expression& leaf) { return same_form(leaf, each.g); });
+        const auto found =
+            std::ranges::find_if(leaves, [&](const expression& leaf) { return same_form(leaf, each.g); });
         if (each.steps.empty() || found == leaves.end()) {
             continue;
         }

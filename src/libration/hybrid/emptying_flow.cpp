@@ -15,9 +15,8 @@ namespace {
 constexpr int largest_root = 64;
 
 bool is_root(const expression& e) {
-    return e.kind() == node_kind::power ||
-           (e.kind() == node_kind::function &&
-            (e.function() == function_kind::sqrt || e.function() == function_kind::cbrt));
+    return e.kind() == node_kind::power || (e.kind() == node_kind::function && (e.function() == function_kind::sqrt ||
+                                                                                e.function() == function_kind::cbrt));
 }
 
 }  // namespace
@@ -32,10 +31,10 @@ leaf_power power_of_leaf(const expression& e, const expression& leaf) {
         return e.kind() == node_kind::product ? leaf_power{rational(a.exponent + b.exponent), a.rest * b.rest}
                                               : leaf_power{rational(a.exponent - b.exponent), a.rest / b.rest};
     }
-    const auto r = !is_root(e)                              ? std::nullopt
-                   : e.kind() == node_kind::power           ? e.right().fraction()
-                   : e.function() == function_kind::sqrt    ? std::optional(rational(1, 2))
-                                                            : std::optional(rational(1, 3));
+    const auto r = !is_root(e)                           ? std::nullopt
+                   : e.kind() == node_kind::power        ? e.right().fraction()
+                   : e.function() == function_kind::sqrt ? std::optional(rational(1, 2))
+                                                         : std::optional(rational(1, 3));
     if (!r) {
         return {0, e};
     }
@@ -95,10 +94,10 @@ expression emptying_flow::in_roots(const expression& e) const {
     return with_nodes_replaced(e, [&](const expression& node) -> std::optional<expression> {
         if (is_root(node)) {
             const leaf_power power = power_of_leaf(node, h);
-            return power.exponent == 0 ? std::nullopt
-                                       : std::optional(in_roots(power.rest) *
-                                                       pow(unknowns_[leaf_],
-                                                           expression(rational(power.exponent * root_))));
+            return power.exponent == 0
+                       ? std::nullopt
+                       : std::optional(in_roots(power.rest) *
+                                       pow(unknowns_[leaf_], expression(rational(power.exponent * root_))));
         }
         if (node.kind() == node_kind::variable) {
             return unknowns_.back();

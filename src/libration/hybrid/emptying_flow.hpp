@@ -59,8 +59,8 @@ private:
 
     first_order_form form_;
     std::size_t leaf_;
-    int root_ = 1;       // m
-    int time_power_;     // K
+    int root_ = 1;    // m
+    int time_power_;  // K
     std::vector<expression> unknowns_;
     std::vector<expression> slopes_;  // by t, of the unknowns of the branch
     std::optional<explicit_system> flow_;

@@ -426,8 +426,14 @@ initial_mode mode_at_start(const hybrid_system& system) {
     const branch_beginning start(system);
     initial_mode found = mode_after(start);
     if (!found.values) {
-        throw error(error_kind::undecided, error_subject::start, system.steps()[found.step].text,
-                    "begins on a switching surface: " + found.reason(system) + ": choose another initial point");
+        const std::string& text = system.steps()[found.step].text;
+        if (const auto reason = start.reason_without_value(system.steps()[found.step].argument)) {
+            throw error(error_kind::argument, error_subject::start, text,
+                        "has no value at the initial point, where it " + *reason + ": choose another initial point");
+        }
+        throw error(
+            error_kind::undecided, error_subject::start, text,
+            "begins on a switching surface: " + reason_of(found.failure, "") + ": choose another initial point");
     }
     return found;
 }

@@ -44,11 +44,11 @@ bool improve_at_event(run_demand& demand, std::vector<known_value>& kept, const 
     for (std::size_t k = 0; k < now.size(); ++k) {
         improve(kept[k], now[k], digits);
         if (!kept[k].decimal) {
-            const std::string reason =
-                "is not distinguished from the time of an event by " + std::to_string(demand.now().bits) + " bits, " +
-                (is_finite(now[k])           ? "about which a value is in " + bounds_text(now[k])
-                 : k >= now.size() - shown ? "about which " + names[k] + " is not bounded"
-                                             : "at which derivatives may not exist");
+            const std::string reason = "is not distinguished from the time of an event by " +
+                                       std::to_string(demand.now().bits) + " bits, " +
+                                       (is_finite(now[k])         ? "about which a value is in " + bounds_text(now[k])
+                                        : k >= now.size() - shown ? "about which " + names[k] + " is not bounded"
+                                                                  : "at which derivatives may not exist");
             const bool is_zero = is_finite(now[k]) && contains_zero(now[k]) &&
                                  magnitude(now[k]) < magnitude::of(1, -times_digits_of_zero * bits_of_digits(digits));
             is_zero ? demand.ended(time, reason) : demand.undecided(time, reason, most_bits_of_path(digits));
@@ -112,9 +112,8 @@ partial_trajectory proved_part_of_hybrid(const hybrid_system& system, const std:
             zeros->put(*state, times[index], free);
             append_shown_at(*state, path, system, times[index]);
             if (path.at_event()) {
-                left_open[index] =
-                    !improve_at_event(demand, part.states[index], *state, digits, text_of_time(times[index]), names,
-                                      system.shown().size());
+                left_open[index] = !improve_at_event(demand, part.states[index], *state, digits,
+                                                     text_of_time(times[index]), names, system.shown().size());
             } else {
                 improve_on_branch(demand, part.states[index], *state, text_of_time(times[index]), names, system,
                                   path.piece());

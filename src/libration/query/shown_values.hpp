@@ -70,7 +70,7 @@ inline std::optional<std::string> reason_without_value(const definition& shown, 
         replaced(form.in_leaves(system.on_branch(shown.value, steps)), at_zero);
         return std::nullopt;
     } catch (const error& none) {
-        return "has no value of " + shown.name + zeros + ": " + none.what();
+        return "has no value of " + shown.name + ", which " + none.reason() + zeros;
     }
 }
 
