@@ -272,6 +272,16 @@ TEST_CASE("stores become empty one after another, and after a reset", "[problem]
     CHECK(value_at(cascade, "4", "b") == "0");
     CHECK(agrees(solve(problem(cascade))->events("b = 0", 1, proved_digits(digits)).at(0, "time"),
                  mpfr("3.625575134397267477850842533894941578708")));
+    // Filled by a store that was empty: not followed, rather than 0.
+    CHECK_THAT(missing_of(cascade + "; when t = 5: a = 1", "6"), Catch::Contains("is not reached"));
+    // Rain up to t = 2: with c = S^(1/3), 3 c' = 1/c^2 - 1, then -1, and it is empty at 2 + 3 c(2), by mpmath.
+    const std::string rain = "S' = if(t < 2, 1, 0) - if(S > 0, S^(2/3), 0); S(0) = 1/10";
+    CHECK(value_at(rain, "8", "S") == "0");
+    CHECK(agrees(solve(problem(rain))->events("S = 0", 1, proved_digits(digits)).at(0, "time"),
+                 mpfr("4.7787660687137390477909046120270837211")));
+    CHECK(value_at("S' = if(t < 2 or t > 6, 1, 0) - if(S > 0, S^(2/3), 0); S(0) = 1/10", "5", "S") == "0");
+    CHECK_THAT(missing_of("S' = if(t < 2 or t > 6, 1, 0) - if(S > 0, S^(2/3), 0); S(0) = 1/10", "8"),
+               Catch::Contains("is not reached"));
     const std::string filled = "h' = -if(h > 0, sqrt(h), 0); h(0) = 1; when t = 3: h = 2";
     const mpfr root = sqrt(mpfr(2)) - mpfr(1) / 2;
     CHECK(agrees(value_at(filled, "4", "h"), mpfr(root * root)));

@@ -6,7 +6,7 @@ namespace libration::ode {
 
 namespace {
 
-constexpr int deepest = 64;
+constexpr int deepest_sign = 64;
 
 // Wherever e is defined: sign e > 0 if it is strict, else sign e >= 0; no statement for the sign 0.
 struct known_range {
@@ -78,7 +78,7 @@ known_range of_power(const expression& e, int depth) {
 
 known_range range_of(const expression& e, int depth) {
     using enum function_kind;
-    if (depth > deepest) {
+    if (depth > deepest_sign) {
         return {};
     }
     switch (e.kind()) {

@@ -116,11 +116,13 @@ std::optional<hybrid_path::emptying> hybrid_path::emptying_of(std::size_t step, 
     const expression leaf = system_.argument(step, piece_->steps);
     const auto& leaves = system_.leaves();
     const auto found = std::ranges::find_if(leaves, [&](const expression& each) { return same_form(each, leaf); });
-    // That of a store which is empty no longer changes.
+    // The other steps that influence it have fixed values here unless their arguments remain 0; after a
+    // change of one of them mode_after decides anew.
     const auto influences = system_.influences_on(leaf);
     bool others = false;
     for (std::size_t i = 0; i < influences.size(); ++i) {
-        others = others || (influences[i] && i != step && !is_emptied(piece_->steps[i]));
+        others = others ||
+                 (influences[i] && i != step && system_.is_at_rest(i, piece_->steps) && !is_emptied(piece_->steps[i]));
     }
     if (found == leaves.end() || others || system_.steps()[step].kind != step_kind::sign ||
         is_emptied(piece_->steps[step]) || piece_->steps[step].sign() <= 0 || is_in_other_argument(step)) {

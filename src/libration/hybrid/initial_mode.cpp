@@ -97,14 +97,26 @@ private:
             return near->below;
         }
         const bool crossed = std::ranges::find(crossed_, i) != crossed_.end();
-        if (before_ && is_emptied((*before_)[i]) && !at_.is_reset(u)) {
-            return (*before_)[i];  // no other step influences it
+        if (before_ && is_emptied((*before_)[i]) && !at_.is_reset(u) && !is_influenced_by_change(i, u)) {
+            return (*before_)[i];  // no step that may change here influences it
         }
         if (before_ && !crossed && !system_.is_at_rest(i, *before_) && same_form(u, system_.argument(i, *before_)) &&
             !at_.is_reset(u)) {
             return (*before_)[i];
         }
         return std::nullopt;
+    }
+
+    // Whether another step that influences u is crossed, or its argument is reset.
+    bool is_influenced_by_change(std::size_t i, const expression& u) const {
+        const auto influences = system_.influences_on(u);
+        for (std::size_t j = 0; j < influences.size(); ++j) {
+            const bool crossed = std::ranges::find(crossed_, j) != crossed_.end();
+            if (influences[j] && j != i && (crossed || at_.is_reset(system_.argument(j, *before_)))) {
+                return true;
+            }
+        }
+        return false;
     }
 
     // The function of which the sign decides between the value n and n - 1, or the sign, and n.

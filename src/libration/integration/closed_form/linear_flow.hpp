@@ -24,7 +24,7 @@ public:
     /// std::nullopt unless the equations have this form by exact arithmetic, at a regular initial point.
     static std::optional<linear_flow> of(const explicit_system& system);
 
-    /// Puts exact zeros in place of balls that contain 0, where a value is proved to be 0.
+    /// Replaces balls that contain 0 by 0 where a value is proved to be 0.
     using zeros_at = std::function<void(std::vector<ball>& state)>;
     /// The state at a time; each unknown is an exact 0 or has about as many bits, relative to itself. std::nullopt if
     /// that requires many times the precision, as for an unknown that decays to nothing while others do not, one
