@@ -114,7 +114,10 @@ step_collector::oriented_sign step_collector::step_of(const expression& u) {
             return {each.parameter, relative};
         }
     }
-    return {added({.kind = step_kind::sign, .argument = u, .text = text_, .at = at_})};
+    // Of h <= 0 the argument is h, too.
+    const bool opposite = u.kind() == node_kind::product && u.left().is(-1);
+    return {added({.kind = step_kind::sign, .argument = opposite ? u.right() : u, .text = text_, .at = at_}),
+            opposite ? -1 : 1};
 }
 
 expression step_collector::floor(const expression& u, const number& divisor) {
