@@ -85,9 +85,9 @@ TEST_CASE("conditions keep whether they hold where both sides are equal", "[ode]
         CHECK(value_for("x > 0", sign) == rational(sign > 0 ? 1 : 0));
         CHECK(value_for("x >= 0", sign) == rational(sign >= 0 ? 1 : 0));
         CHECK(value_for("x ≥ 0", sign) == rational(sign >= 0 ? 1 : 0));
-        // The sign is that of 0 - x here.
-        CHECK(value_for("x < 0", sign) == rational(sign > 0 ? 1 : 0));
-        CHECK(value_for("x <= 0", sign) == rational(sign >= 0 ? 1 : 0));
+        // The sign is that of x here, too.
+        CHECK(value_for("x < 0", sign) == rational(sign < 0 ? 1 : 0));
+        CHECK(value_for("x <= 0", sign) == rational(sign <= 0 ? 1 : 0));
     }
     // One sign for both, of x; -x >= 0 is x <= 0.
     const auto both = parse("y' = if(x > 0, 1, 0) + if(-x >= 0, 2, 0); x' = 1; x(0) = 0; y(0) = 0");

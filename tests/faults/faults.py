@@ -919,6 +919,19 @@ FAULTS = [
     *in_file(
         "src/libration/hybrid/emptied_store.cpp", [SLIDING],
         ("an inflow or a jump where a store is empty", "if (!is_identically_zero(jump)) {", "if (false) {"),
+        ("an event before a store is empty", "same_form(other.g, own.g) || flow.excludes_zero(other.g)", "true"),
+    ),
+    *in_file(
+        "src/libration/hybrid/initial_mode.cpp", [SLIDING],
+        ("a store that another one fills", "!is_influenced_by_change(i, u)", "true"),
+    ),
+    *in_file(
+        "src/libration/hybrid/emptying_flow.cpp", [SLIDING],
+        ("the time of a store without its power", "right.push_back(by_time);", "right.push_back(1);"),
+    ),
+    *in_file(
+        "src/libration/equation/sign_by_form.cpp", [SLIDING],
+        ("a factor that becomes negative", "bounded = bounded + (by.sign() < 0 ? -by : by);", ""),
     ),
     *in_file(
         "src/libration/query/time_order.hpp", ["problem/branches_test.cpp"],

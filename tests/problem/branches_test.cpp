@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "libration/equation/text/parse.hpp"
 #include "libration/problem/solution.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/mpfr.hpp"
@@ -91,6 +92,33 @@ TEST_CASE("conditions whose sides touch are those on both sides of the moment", 
     check_values({{"y' = if((max(t, 1) - 1)^2 > 0, 1, 3); y(0) = 0", "3", "y", 5},
                   {"y' = sign((max(t, 1) - 1)^2*(t - 4)); y(0) = 0", "3", "y", -2}});
     CHECK_FALSE(refusal("x' = sign(x^2); x(0) = 0", "2").empty());
+}
+
+// The sign of an odd power is that of its base.
+TEST_CASE("odd powers in conditions have the sign of their bases", "[problem][hybrid][touching]") {
+    const precision_scope scope(60);
+    check_values({{"y' = if((t-1)^7 > 0, 1, 2); y(0) = 0", "3", "y", mpfr(4)},
+                  {"y' = if(x^7 > 0, 1, 2); x' = 1; x(0) = -1; y(0) = 0", "5", "y", mpfr(6)},
+                  {"y' = if(-3*(t-1)^7*(t-2)^4 >= 0, 1, 2) + sign((t-3)^3*5); y(0) = 0", "4", "y", mpfr(5)}});
+}
+
+TEST_CASE("conditions and outputs without a value at the initial point are named with the reason",
+          "[problem][hybrid]") {
+    for (const std::string root : {"sqrt(t - 2)^2", "sqrt(t - 2)"}) {
+        CHECK(refusal("y' = if(" + root + " > 0, 1, 2); y(0) = 0", "1") ==
+              "start 'if(" + root +
+                  " > 0, 1, 2)' has no value at the initial point, where it takes the root of a negative number: "
+                  "choose another initial point");
+    }
+    const std::string twice = refusal("v' = -sign(v) + sign(w)/2; w' = -sign(w) - sign(v)/2; v(0) = 0; w(0) = 0", "1");
+    CHECK(twice.find("sign(v)") == twice.rfind("sign(v)"));
+    try {
+        solve(problem(ode::with_column(ode::parse("x' = 1; x(0) = 0; E = 1/x"), "E")));
+        CHECK(false);
+    } catch (const error& none) {
+        CHECK_THAT(none.what(),
+                   Catch::Contains("'E' has no value at the initial point, where its equation divides by zero"));
+    }
 }
 
 TEST_CASE("a condition that is an equality for some time holds as it is written", "[problem][hybrid]") {

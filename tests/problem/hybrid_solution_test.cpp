@@ -253,6 +253,75 @@ TEST_CASE("stores become empty where their outflow is not differentiable", "[pro
     }
 }
 
+// sqrt(h) falls by the integral of the factor over 2; the cascade by mpmath: w' = ((1 - t/2)/w - 1)/2 up to 2 for w = sqrt(b),
+// then by 1/2, from w(2) = 0.81..
+TEST_CASE("stores become empty one after another, and after a reset", "[problem][hybrid][sliding]") {
+    const precision_scope scope(80);
+    const std::string two =
+        "a' = -if(a > 0, sqrt(a), 0); b' = -if(b > 0, sqrt(b), 0)*exp(-t/5); Q' = if(b > 0, sqrt(b), 0)*exp(-t/5); "
+        "a(0) = 1; b(0) = 1; Q(0) = 0";
+    const mpfr left = 1 - mpfr(5) / 2 * (1 - exp(mpfr(-49) / 100));
+    CHECK(agrees(value_at(two, "49/20", "b"), mpfr(left * left)));
+    CHECK(value_at(two, "4", "b") == "0");
+    CHECK(agrees(value_at(two, "4", "Q"), mpfr(1)));
+    const answer empty = solve(problem(two))->events("b = 0", 1, proved_digits(digits));
+    CHECK(agrees(empty.at(0, "time"), mpfr(5 * log(mpfr(5) / 3))));
+    const std::string cascade =
+        "a' = -if(a > 0, sqrt(a), 0); b' = if(a > 0, sqrt(a), 0) - if(b > 0, sqrt(b), 0); a(0) = 1; b(0) = 2";
+    CHECK(agrees(value_at(cascade, "3", "b"), mpfr("0.09783606219403981688464678731660622582456")));
+    CHECK(value_at(cascade, "4", "b") == "0");
+    CHECK(agrees(solve(problem(cascade))->events("b = 0", 1, proved_digits(digits)).at(0, "time"),
+                 mpfr("3.625575134397267477850842533894941578708")));
+    // Filled by a store that was empty: not followed, rather than 0.
+    CHECK_THAT(missing_of(cascade + "; when t = 5: a = 1", "6"), Catch::Contains("is not reached"));
+    // Rain up to t = 2: with c = S^(1/3), 3 c' = 1/c^2 - 1, then -1, and it is empty at 2 + 3 c(2), by mpmath.
+    const std::string rain = "S' = if(t < 2, 1, 0) - if(S > 0, S^(2/3), 0); S(0) = 1/10";
+    CHECK(value_at(rain, "8", "S") == "0");
+    CHECK(agrees(solve(problem(rain))->events("S = 0", 1, proved_digits(digits)).at(0, "time"),
+                 mpfr("4.7787660687137390477909046120270837211")));
+    CHECK(value_at("S' = if(t < 2 or t > 6, 1, 0) - if(S > 0, S^(2/3), 0); S(0) = 1/10", "5", "S") == "0");
+    CHECK_THAT(missing_of("S' = if(t < 2 or t > 6, 1, 0) - if(S > 0, S^(2/3), 0); S(0) = 1/10", "8"),
+               Catch::Contains("is not reached"));
+    const std::string filled = "h' = -if(h > 0, sqrt(h), 0); h(0) = 1; when t = 3: h = 2";
+    const mpfr root = sqrt(mpfr(2)) - mpfr(1) / 2;
+    CHECK(agrees(value_at(filled, "4", "h"), mpfr(root * root)));
+    CHECK(value_at(filled, "7", "h") == "0");
+    // An event between the last time before which others are searched for, and the time at which the store would be empty.
+    const mpfr reset = sqrt(mpfr(mpfr(1) / 1600 + 1)) - mpfr(21) / 40;
+    CHECK(
+        agrees(value_at("h' = -if(h > 0, sqrt(h), 0); y' = 1; h(0) = 1; y(0) = 0; when y = 39/20: h = h + 1", "3", "h"),
+               mpfr(reset * reset)));
+}
+
+// With h = v^3 and dt = v ds for the root of order 3; what flows out is 1. At the time itself both sides are bounds.
+TEST_CASE("the laws by which stores become empty", "[problem][hybrid][sliding]") {
+    const precision_scope scope(80);
+    const auto collected = [](const std::string& flow) {
+        return value_at("h' = -" + flow + "; Q' = " + flow + "; h(0) = 1; Q(0) = 0", "4", "Q");
+    };
+    for (const std::string flow : {"if(h <= 0, 0, sqrt(h))", "if(h > 0, cbrt(h), 0)", "if(h > 0, h^(1/3), 0)",
+                                   "if(h > 0, sqrt(h)*(exp(h) - 1)/h, 0)", "if(h > 0, sqrt(h), 0)*(2 + sin(t))",
+                                   "if(h > 0, h^(2/3), 0)*(3 + t^2)"}) {
+        INFO(flow);
+        CHECK(agrees(collected(flow), mpfr(1)));
+    }
+    const std::string third = "h' = -if(h > 0, cbrt(h), 0); h(0) = 1";
+    CHECK(agrees(value_at(third, "149/100", "h"), mpfr(mpfr(1) / 150 * sqrt(mpfr(1) / 150))));
+    CHECK(agrees(solve(problem(third))->events("h = 0", 1, proved_digits(digits)).at(0, "time"), mpfr(3) / 2));
+    const answer at_time =
+        solve(problem("h' = -if(h > 0, sqrt(h), 0); h(0) = 2"))->states("2*sqrt(2)", proved_digits(20));
+    REQUIRE(at_time.missing);
+    CHECK_THAT(at_time.missing->what(), Catch::Contains("is not distinguished from the time of an event"));
+    CHECK_THAT(missing_of("h' = -if(h > 0, sqrt(h), 0)*(1 + 2*sin(t)); h(0) = 4", "6"),
+               Catch::Contains("the two sides of `if(h > 0, sqrt(h), 0)` differ by at most"));
+    const auto quotient =
+        solve(problem(ode::with_column(ode::parse("h' = -if(h > 0, sqrt(h), 0); h(0) = 1; r = 1/h"), "r")))
+            ->states("1,3", proved_digits(digits));
+    CHECK(agrees(quotient.at(0, "r"), mpfr(4)));
+    REQUIRE(quotient.missing);
+    CHECK_THAT(quotient.missing->what(), Catch::Contains("has no value of r, which divides by zero at h = 0"));
+}
+
 // A block at rest under the force t against friction of at most 1 and at least -1 moves from t = 1 on; one under
 // -cos(t) 2 rests from the time at which it stops until the force exceeds 1.
 TEST_CASE("solutions leave the surface where one side leads away", "[problem][hybrid][sliding]") {

@@ -128,6 +128,8 @@ public:
     /// The number of that step, and the steps up to there, of which one of collocation counts as several.
     std::size_t number_of_step() const { return number_; }
     long steps() const { return steps_; }
+    /// Whether the sign of g is certain at reached(), so that all zeros before are known.
+    bool is_decided() const { return !open_ && pieces_.empty(); }
     /// The derivative of the flow at reached(), if it is kept.
     std::optional<ball_matrix> derivative();
     /// Where its own integration used collocation.

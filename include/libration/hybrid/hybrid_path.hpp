@@ -125,6 +125,10 @@ private:
     std::optional<emptying> emptying_of(std::size_t step, const std::vector<ball>& state) const;
     bool is_in_other_argument(std::size_t step) const;
     bool find_empty_store();
+    std::string reason_at_store() const;
+    void look_for_emptying();
+    bool find_planned_emptying();
+    std::optional<bool> find_emptying(const std::optional<number>& end);
     bool continue_emptied();
     void note_relations(const std::vector<std::size_t>& steps);
     std::shared_ptr<step_rule> rule_of_branch();

@@ -26,7 +26,8 @@ struct side_of_surface {
 /// `alone`, that is if no other step function is open, and u increases above and decreases below.
 mode_failure failure_at_surface(const std::vector<side_of_surface>& branches, int order, bool alone);
 
-/// "the solution slides along the surface of `sign(x)`: ...", for messages; the text is that of the step function.
+/// "the solution slides along the surface of `sign(x)`: ...", for messages; the text is that of the step function, empty if
+/// it is named before.
 std::string reason_of(mode_failure failure, const std::string& text);
 
 }  // namespace libration::ode

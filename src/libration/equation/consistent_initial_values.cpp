@@ -28,7 +28,19 @@ std::vector<equation> equations_at_start(const std::vector<unknown_function>& un
     };
     std::vector<equation> found;
     for (const algebraic_equation& each : algebraic) {
-        expression zero = replaced(each.zero, value_of);
+        expression zero;
+        try {
+            zero = replaced(each.zero, value_of);
+        } catch (const error& none) {
+            std::string name;
+            each_leaf(each.zero, [&](const expression& leaf) {
+                const bool open = leaf.kind() == node_kind::unknown && starts[places.at(leaf.name())].empty();
+                name = open && name.empty() ? leaf.name() : name;
+            });
+            refuse(name, each.at,
+                   "has no value at the initial point, where its equation " + none.reason() +
+                       ": choose another initial point, or leave it out");
+        }
         if (zero.has_unknowns()) {
             found.push_back({std::move(zero), 0, each.at});
         }

@@ -146,6 +146,9 @@ std::optional<expression> about_zero(const expression& e) {
     if (is(asin)) {
         return 1 / relative_sine(e);
     }
+    if (is(acos)) {  // pi/2 - asin
+        return -1 / relative_sine(ode::asin(a));
+    }
     if (is(asinh)) {
         return 1 / relative_hyperbolic_sine(e);
     }
@@ -286,18 +289,19 @@ std::optional<expression> function_of_one::difference(const expression& e, const
     return std::nullopt;
 }
 
-// The factor that is 0 is divided alone, so that the other one may be any function.
+// The factor that is 0 is divided alone, so that the other one may be any function; of two, the first one for which that is
+// possible, as sqrt(h) is not divided by h.
 std::optional<expression> function_of_one::of_product(const expression& e, const number& u0) {
     const auto a0 = value(e.left(), u0);
     const auto b0 = value(e.right(), u0);
     if (!a0 || !b0) {
         return std::nullopt;
     }
-    if (is_proved_zero(*b0) && !is_proved_zero(*a0)) {
+    const auto a = is_proved_zero(*b0) && !is_proved_zero(*a0) ? std::nullopt : difference(e.left(), u0);
+    if (is_proved_zero(*b0) && !a) {
         const auto b = difference(e.right(), u0);
         return b ? std::optional(written_product(e.left(), *b)) : std::nullopt;
     }
-    const auto a = difference(e.left(), u0);
     if (!a || is_proved_zero(*a0)) {
         return a ? std::optional(written_product(*a, e.right())) : std::nullopt;
     }

@@ -9,6 +9,7 @@
 #include "libration/equation/choice.hpp"
 #include "libration/equation/defined_zero.hpp"
 #include "libration/scalar/error.hpp"
+#include "removable_singularity.hpp"
 
 namespace libration::ode {
 
@@ -369,13 +370,16 @@ void hybrid_system::keep_both_sides(std::size_t step, const step_values& values,
         return found != known.end() ? std::optional(found->second) : std::nullopt;
     };
     expression parts = zero_where_defined(argument(step, values));
+    parameter_values parameters(given_, kept_steps(given_.steps));
     for (const equation& each : given_.equations) {
         const expression both = with_parameters(each.right, value, true);
+        const auto at_0 = [&](const expression& e) {
+            return same_form(e, argument(step, values)) ? std::optional(expression()) : std::nullopt;
+        };
         parts =
-            parts +
-            zero_where_defined(!is_emptied(values[step]) ? both : replaced_as_written(both, [&](const expression& e) {
-                return same_form(e, argument(step, values)) ? std::optional(expression()) : std::nullopt;
-            }));
+            parts + zero_where_defined(is_emptied(values[step])
+                                           ? replaced_as_written(with_removed_singularities(parameters.in(both)), at_0)
+                                           : both);
     }
     expression& last = of.equations.back().right;
     last = last + parts;

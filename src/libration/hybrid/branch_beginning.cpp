@@ -123,6 +123,15 @@ bool branch_beginning::is_zero(const expression& in_values_before) const {
            });
 }
 
+std::optional<std::string> branch_beginning::reason_without_value(const expression& e) const {
+    try {
+        before(e);
+        return std::nullopt;
+    } catch (const error& none) {
+        return none.reason();
+    }
+}
+
 std::optional<int> branch_beginning::sign(const expression& e) const {
     if (const int known = known_sign(value(e)); known != 0) {
         return known;

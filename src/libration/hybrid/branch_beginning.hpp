@@ -53,10 +53,12 @@ public:
         number below;     ///< the largest integer <= u/d, if `at` is false
         bool at = false;  ///< whether u/d may be the integer `below`
     };
+    /// Why an expression has no value at the exact values there, as "divides by zero"; std::nullopt if it may have one.
+    std::optional<std::string> reason_without_value(const expression& e) const;
     /// std::nullopt if u/d may be two integers.
     std::optional<integers> integers_of(const expression& u, const number& divisor) const;
 
-    static constexpr int most_orders = 6;
+    static constexpr int most_orders = 8;
 
 private:
     expression at_time(const expression& e) const;

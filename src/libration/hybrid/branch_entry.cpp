@@ -266,7 +266,7 @@ bool hybrid_path::add_saltation(entered_branch& entered, const step_values& valu
 
 // The derivatives of the state jump by another rule than it itself.
 std::optional<state_set> hybrid_path::set_behind_event(const entered_branch& entered, const path_piece& next) {
-    if (!system_.variations().empty()) {
+    if (!system_.variations().empty() || emptied_) {
         return std::nullopt;
     }
     integration& along = *piece_->along;

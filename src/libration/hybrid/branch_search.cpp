@@ -98,7 +98,15 @@ void branch_search::read_end(watched& each, bool has_end, long horizon) {
                 ended(path_end::horizon, "");
             }
             break;
-        case search_end::precision: ended(path_end::precision, ""); break;
+        case search_end::precision:
+            if (along_[search.number_of_step()] != nullptr) {
+                ended(path_end::precision, "");
+                break;
+            }
+            each.over = true;
+            each.limit = reached;
+            each.why = path_end::precision;
+            break;
         case search_end::steps:
             each.over = true;
             each.limit = reached;
@@ -124,6 +132,17 @@ void branch_search::read_end(watched& each, bool has_end, long horizon) {
                           ", as where a solution touches the surface without crossing it";
             break;
     }
+}
+
+bool branch_search::is_last_before_end(std::size_t surface) const {
+    for (std::size_t i = 0; i < watched_.size(); ++i) {
+        const watched& each = watched_[i];
+        const bool at_end = each.limit && (each.why == path_end::steps || each.why == path_end::precision);
+        if (each.found || (i != surface && !each.of.of.time && !(at_end && each.search->is_decided()))) {
+            return false;
+        }
+    }
+    return true;
 }
 
 // The surfaces whose searches continue, those first whose tangents at the beginning of the next step are 0 first: the end of

@@ -35,6 +35,22 @@ struct found_crossing {
     std::optional<number> exactly = {};
 };
 
+/// Where a store is expected to become empty.
+struct emptying_plan {
+    std::optional<std::size_t> surface = {};  ///< its number; std::nullopt if no store is
+    number before = {};                       ///< up to here other surfaces are searched for before
+    number about = {};                        ///< the expected time
+    int left = 0;                             ///< attempts
+    std::size_t step = 0;                     ///< its sign
+    std::optional<path_event> event = {};     ///< once it is proved
+
+    /// The next time before, after this one.
+    void advance(const number& from) {
+        before = from + (about - from) * number(rational(3, 4));
+        surface = left-- > 0 ? surface : std::nullopt;
+    }
+};
+
 /// Surfaces at known times are compared as exact numbers; each other one has a separate event search, all of which
 /// advance together, so that none goes far beyond the first crossing. A crossing is the first one if its enclosure is
 /// separated from the others. Functions of the variable alone that are exactly 0 at a common time are crossed together:
@@ -57,11 +73,16 @@ public:
     /// Of the surface for which the most were searched.
     long most_steps() const;
     path_end end() const { return end_; }
+    /// Whether no other surface than this one is crossed up to the end of the last step of the branch, after which it has
+    /// none.
+    bool is_last_before_end(std::size_t surface) const;
     /// What is not decided, or where the steps become too small.
     const std::string& reason() const { return reason_; }
     /// Where the search ended without a decision, the time up to which no surface is crossed.
     bool has_reached() const { return reached_.has_value(); }
     const ball& reached() const { return *reached_; }
+
+    std::optional<emptying_plan> emptying;  ///< of the branch, on demand
 
 private:
     struct watched {

@@ -1,10 +1,14 @@
 // A store that becomes empty at a time at which its outflow is not differentiable: theorem H, "Emptying".
 #include "../equation/emptied_store.hpp"
+#include "../equation/sign_by_form.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
+#include "../equation/bound_text.hpp"
 #include "branch_search.hpp"
+#include "emptying_flow.hpp"
 #include "libration/equation/identities.hpp"
 #include "libration/hybrid/hybrid_path.hpp"
 #include "libration/scalar/ball/predicates.hpp"
@@ -14,44 +18,11 @@ namespace libration::ode {
 
 namespace {
 
-// An expression as leaf^exponent times the rest, for leaf > 0.
-struct leaf_power {
-    rational exponent;
-    expression rest;
-};
-
-leaf_power power_of_leaf(const expression& e, const expression& leaf) {
-    if (same_form(e, leaf)) {
-        return {1, 1};
-    }
-    if (e.kind() == node_kind::product || e.kind() == node_kind::quotient) {
-        const leaf_power a = power_of_leaf(e.left(), leaf);
-        const leaf_power b = power_of_leaf(e.right(), leaf);
-        return e.kind() == node_kind::product ? leaf_power{rational(a.exponent + b.exponent), a.rest * b.rest}
-                                              : leaf_power{rational(a.exponent - b.exponent), a.rest / b.rest};
-    }
-    const bool root = e.kind() == node_kind::function && e.function() == function_kind::sqrt;
-    const auto r = root                           ? std::optional(rational(1, 2))
-                   : e.kind() == node_kind::power ? e.right().fraction()
-                                                  : std::nullopt;
-    if (!r) {
-        return {0, e};
-    }
-    const leaf_power inner = power_of_leaf(e.left(), leaf);
-    return inner.exponent == 0 ? leaf_power{0, e}
-                               : leaf_power{rational(inner.exponent * *r), pow(inner.rest, expression(*r))};
-}
+constexpr long steps_to_emptying = 300;
 
 expression at_zero_of(const expression& e, const expression& leaf) {
     return replaced(
         e, [&](const expression& each) { return same_form(each, leaf) ? std::optional(expression()) : std::nullopt; });
-}
-
-ball power_of_ball(const ball& x, const rational& exponent) {
-    ball result;
-    const ball by = constant_value<ball>::of(number(exponent));
-    arb_pow(result.handle(), x.handle(), by.handle(), ball::working_bits());
-    return result;
 }
 
 // [0, 2^e] with 2^e >= x, without an end below 0.
@@ -145,9 +116,15 @@ std::optional<hybrid_path::emptying> hybrid_path::emptying_of(std::size_t step, 
     const expression leaf = system_.argument(step, piece_->steps);
     const auto& leaves = system_.leaves();
     const auto found = std::ranges::find_if(leaves, [&](const expression& each) { return same_form(each, leaf); });
+    // The other steps that influence it have fixed values here unless their arguments remain 0; after a
+    // change of one of them mode_after decides anew.
     const auto influences = system_.influences_on(leaf);
-    const auto others = std::ranges::count(influences, true) - (influences[step] ? 1 : 0);
-    if (found == leaves.end() || others > 0 || system_.steps()[step].kind != step_kind::sign ||
+    bool others = false;
+    for (std::size_t i = 0; i < influences.size(); ++i) {
+        others = others ||
+                 (influences[i] && i != step && system_.is_at_rest(i, piece_->steps) && !is_emptied(piece_->steps[i]));
+    }
+    if (found == leaves.end() || others || system_.steps()[step].kind != step_kind::sign ||
         is_emptied(piece_->steps[step]) || piece_->steps[step].sign() <= 0 || is_in_other_argument(step)) {
         return std::nullopt;
     }
@@ -155,7 +132,7 @@ std::optional<hybrid_path::emptying> hybrid_path::emptying_of(std::size_t step, 
     const auto above = slopes_in_given(piece_->system);
     const leaf_power flow = power_of_leaf(above[k], leaf);
     const expression last = at_zero_of(flow.rest, leaf);
-    if (flow.exponent <= 0 || flow.exponent >= 1 || last.kind() != node_kind::constant || last.constant().sign() >= 0) {
+    if (flow.exponent <= 0 || flow.exponent >= 1 || sign_by_form(last) >= 0) {
         return std::nullopt;
     }
     std::vector<number> starts = midpoints_of(state);
@@ -195,10 +172,11 @@ bool hybrid_path::find_empty_store() {
     }
     const std::vector<ball> state = piece_->along->last().set.hull();
     const auto surfaces = system_.surfaces(piece_->steps);
-    for (const surface& each : surfaces) {
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+        const surface& each = surfaces[i];
         const bool store = each.steps.size() == 1 && each.events.empty() && !each.time;
         const auto of = store ? emptying_of(each.steps.front().index, state) : std::nullopt;
-        if (!of) {
+        if (!of || !search_->is_last_before_end(i)) {
             continue;
         }
         emptying_box box(piece_->system, of->leaf, state, piece_->along->reached());
@@ -218,13 +196,123 @@ bool hybrid_path::find_empty_store() {
     return false;
 }
 
+// Before a store becomes empty, by a run with few bits, on which no proof depends: at 3/4 of the way.
+void hybrid_path::look_for_emptying() {
+    constexpr long few_bits = 64;
+    search_->emptying = emptying_plan{};
+    if (!system_.variations().empty()) {
+        return;
+    }
+    const flow_state& start = piece_->along->start();
+    const std::vector<ball> state = start.set.hull();
+    std::vector<ball> middle;
+    std::ranges::transform(state, std::back_inserter(middle), [](const ball& x) { return midpoint_alone(x); });
+    const auto surfaces = system_.surfaces(piece_->steps);
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+        const bool store = surfaces[i].steps.size() == 1 && surfaces[i].events.empty() && !surfaces[i].time;
+        const auto of = store ? emptying_of(surfaces[i].steps.front().index, state) : std::nullopt;
+        if (!of || known_sign(state[of->leaf]) <= 0) {
+            continue;
+        }
+        try {
+            emptying_flow scout(piece_->system, {of->leaf, of->exponent, of->outflow}, middle, start.time, few_bits,
+                                route_);
+            const bool first = scout.reach(steps_to_emptying) && certainly_less(start.time, scout.time()) &&
+                               (!search_->emptying->surface ||
+                                certainly_less(scout.time(), enclosed_number(search_->emptying->about)));
+            if (first) {
+                search_->emptying =
+                    emptying_plan{.surface = i, .about = number_of(midpoint_alone(scout.time())), .left = 4};
+                search_->emptying->advance(number_of(start.time));
+            }
+        } catch (const error&) {  // no analytic flow
+        }
+    }
+}
+
+// The event at which the store of the plan becomes empty, from the time before it up to which no surface is crossed; false if
+// that is not proved from there.
+bool hybrid_path::find_planned_emptying() {
+    emptying_plan& plan = *search_->emptying;
+    const auto surfaces = system_.surfaces(piece_->steps);
+    const surface& own = surfaces[*plan.surface];
+    const auto state = state_before(plan.before);
+    const auto of = state ? emptying_of(own.steps.front().index, *state) : std::nullopt;
+    if (of && known_sign((*state)[of->leaf]) > 0) {
+        try {
+            emptying_flow flow(piece_->system, {of->leaf, of->exponent, of->outflow}, *state,
+                               enclosed_number(plan.before), bits_, route_);
+            const auto is_excluded = [&](const surface& other) {
+                return same_form(other.g, own.g) || flow.excludes_zero(other.g);
+            };
+            if (flow.reach(steps_to_emptying) && std::ranges::all_of(surfaces, is_excluded) &&
+                (observed_ == nullptr || observed_orientation(own) != 0 || flow.excludes_zero(*observed_))) {
+                plan.event = path_event{.time = flow.time(),
+                                        .way = crossing::any,
+                                        .state = flow.state(),
+                                        .on_the_way = flow.states_before(),
+                                        .text = own.text};
+                plan.step = of->step;
+                return true;
+            }
+        } catch (const error&) {  // no analytic flow
+        }
+    }
+    plan.advance(plan.before);
+    return false;
+}
+
+// Whether the branch ends where a store becomes empty, or is followed up to the end before that; std::nullopt if neither is
+// known.
+std::optional<bool> hybrid_path::find_emptying(const std::optional<number>& end) {
+    emptying_plan& plan = *search_->emptying;
+    if (!plan.event && !find_planned_emptying()) {
+        return std::nullopt;
+    }
+    if (end && certainly_less(enclosed_number(*end), plan.event->time)) {
+        return ended(path_end::time);
+    }
+    next_ = plan.event;
+    crossed_ = {{system_.surfaces(piece_->steps)[*plan.surface], crossing::down}};
+    emptied_ = plan.step;
+    if (is_observed(crossed_.front().of, crossing::any)) {
+        observed_event_ = next_;
+    }
+    return true;
+}
+
+// What is known where the steps become too small next to the surface of a store.
+std::string hybrid_path::reason_at_store() const {
+    constexpr long bits_of_near = 40;
+    const std::vector<ball> state = piece_->along->last().set.hull();
+    const std::vector<ball> first = piece_->along->start().set.hull();
+    for (const surface& each : system_.surfaces(piece_->steps)) {
+        const auto& leaves = system_.leaves();
+        const auto found =
+            std::ranges::find_if(leaves, [&](const expression& leaf) { return same_form(leaf, each.g); });
+        if (each.steps.empty() || found == leaves.end()) {
+            continue;
+        }
+        const auto k = static_cast<std::size_t>(found - leaves.begin());
+        const magnitude now(state[k]);
+        if (now < magnitude(first[k]).shifted(-bits_of_near)) {
+            return ", where the two sides of `" + each.text + "` differ by at most " + upper_bound_text(now.exact()) +
+                   ": a store becomes empty there only if it has no inflow, its outflow is h^a, 0 < a < 1, times a "
+                   "function that is positive by its form at h = 0, and nothing else jumps or switches then";
+        }
+    }
+    return "";
+}
+
 bool hybrid_path::continue_emptied() {
     step_values values = piece_->steps;
-    values[*std::exchange(emptied_, std::nullopt)] = emptied_value();
+    values[*emptied_] = emptied_value();
     const entered_branch entered{system_.leaves(), next_->state};
     const branch_beginning beginning(system_, next_->time, std::nullopt, entered.leaves, zero_functions(),
                                      entered.state);
-    return enter(entered, values, beginning);
+    const bool entering = enter(entered, values, beginning);
+    emptied_.reset();
+    return entering;
 }
 
 }  // namespace libration::ode

@@ -170,10 +170,25 @@ bool hybrid_path::find(const std::optional<number>& end, const std::optional<num
     }
     end_ = path_end::none;
     for (;;) {
-        const auto found = search_->next(end, horizon);
+        if (!search_->emptying) {
+            look_for_emptying();
+        }
+        const emptying_plan& plan = *search_->emptying;
+        const bool empties = plan.surface && (!end || (plan.before - *end).sign() < 0);
+        const auto found = search_->next(empties ? plan.before : end, horizon);
+        if (!found && empties && search_->end() == path_end::time) {
+            if (const auto emptied = find_emptying(end)) {
+                return *emptied;
+            }
+            continue;
+        }
         if (!found) {
-            return (search_->end() == path_end::steps && find_empty_store()) ||
-                   ended(search_->end(), search_->reason());
+            const bool steps_end = search_->end() == path_end::steps || search_->end() == path_end::precision;
+            if (steps_end && find_empty_store()) {
+                return true;
+            }
+            const bool small = search_->end() == path_end::steps;
+            return ended(search_->end(), search_->reason() + (small ? reason_at_store() : ""));
         }
         path_event event = event_of(*found);
         const auto observed = std::ranges::find_if(

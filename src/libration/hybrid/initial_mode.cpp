@@ -97,14 +97,26 @@ private:
             return near->below;
         }
         const bool crossed = std::ranges::find(crossed_, i) != crossed_.end();
-        if (before_ && is_emptied((*before_)[i]) && !at_.is_reset(u)) {
-            return (*before_)[i];  // no other step influences it
+        if (before_ && is_emptied((*before_)[i]) && !at_.is_reset(u) && !is_influenced_by_change(i, u)) {
+            return (*before_)[i];  // no step that may change here influences it
         }
         if (before_ && !crossed && !system_.is_at_rest(i, *before_) && same_form(u, system_.argument(i, *before_)) &&
             !at_.is_reset(u)) {
             return (*before_)[i];
         }
         return std::nullopt;
+    }
+
+    // Whether another step that influences u is crossed, or its argument is reset.
+    bool is_influenced_by_change(std::size_t i, const expression& u) const {
+        const auto influences = system_.influences_on(u);
+        for (std::size_t j = 0; j < influences.size(); ++j) {
+            const bool crossed = std::ranges::find(crossed_, j) != crossed_.end();
+            if (influences[j] && j != i && (crossed || at_.is_reset(system_.argument(j, *before_)))) {
+                return true;
+            }
+        }
+        return false;
     }
 
     // The function of which the sign decides between the value n and n - 1, or the sign, and n.
@@ -426,8 +438,14 @@ initial_mode mode_at_start(const hybrid_system& system) {
     const branch_beginning start(system);
     initial_mode found = mode_after(start);
     if (!found.values) {
-        throw error(error_kind::undecided, error_subject::start, system.steps()[found.step].text,
-                    "begins on a switching surface: " + found.reason(system) + ": choose another initial point");
+        const std::string& text = system.steps()[found.step].text;
+        if (const auto reason = start.reason_without_value(system.steps()[found.step].argument)) {
+            throw error(error_kind::argument, error_subject::start, text,
+                        "has no value at the initial point, where it " + *reason + ": choose another initial point");
+        }
+        throw error(
+            error_kind::undecided, error_subject::start, text,
+            "begins on a switching surface: " + reason_of(found.failure, "") + ": choose another initial point");
     }
     return found;
 }

@@ -15,13 +15,14 @@ mode_failure failure_at_surface(const std::vector<side_of_surface>& branches, in
 }
 
 std::string reason_of(mode_failure failure, const std::string& text) {
+    const std::string of = text.empty() ? "" : " of `" + text + "`";
     switch (failure) {
         case mode_failure::sliding:
-            return "the solution slides along the surface of `" + text + "`: both branches lead back to it";
-        case mode_failure::several: return "the solution can continue on more than one branch of `" + text + "`";
+            return "the solution slides along the surface" + of + ": both branches lead back to it";
+        case mode_failure::several: return "the solution can continue on more than one branch" + of;
         case mode_failure::undecided: break;
     }
-    return "it is not decided which branch of `" + text + "` follows: its two sides are equal, or not distinguished";
+    return "it is not decided which branch" + of + " follows: its two sides are equal, or not distinguished";
 }
 
 }  // namespace libration::ode

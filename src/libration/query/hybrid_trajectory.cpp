@@ -33,23 +33,42 @@ void append_shown_at(std::vector<ball>& state, const hybrid_path& path, const hy
                  });
 }
 
+// A value at an event that is less than so many times the digits is taken for 0.
+constexpr long times_digits_of_zero = 3;
+
 // The values at the time of an event, which are on both sides of it. False if this time is left open: a value that does
 // not become narrower jumps there, or is 0.
 bool improve_at_event(run_demand& demand, std::vector<known_value>& kept, const std::vector<ball>& now, long digits,
-                      const std::string& time) {
+                      const std::string& time, const std::vector<std::string>& names, std::size_t shown) {
     kept.resize(now.size());
     for (std::size_t k = 0; k < now.size(); ++k) {
         improve(kept[k], now[k], digits);
         if (!kept[k].decimal) {
-            demand.undecided(time,
-                             "is not distinguished from the time of an event by " + std::to_string(demand.now().bits) +
-                                 " bits, " +
-                                 (is_finite(now[k]) ? "about which a value is in " + bounds_text(now[k])
-                                                    : "at which derivatives may not exist"),
-                             most_bits_of_path(digits));
+            const std::string reason = "is not distinguished from the time of an event by " +
+                                       std::to_string(demand.now().bits) + " bits, " +
+                                       (is_finite(now[k])         ? "about which a value is in " + bounds_text(now[k])
+                                        : k >= now.size() - shown ? "about which " + names[k] + " is not bounded"
+                                                                  : "at which derivatives may not exist");
+            const bool is_zero = is_finite(now[k]) && contains_zero(now[k]) &&
+                                 magnitude(now[k]) < magnitude::of(1, -times_digits_of_zero * bits_of_digits(digits));
+            is_zero ? demand.ended(time, reason) : demand.undecided(time, reason, most_bits_of_path(digits));
         }
     }
     return demand.repeats() || all_have_digits(kept);
+}
+
+// The values on a branch; an expression to show without one does not take the others with it.
+void improve_on_branch(run_demand& demand, std::vector<known_value>& kept, const std::vector<ball>& now,
+                       const std::string& time, const std::vector<std::string>& names, const hybrid_system& system,
+                       const path_piece& piece) {
+    kept.resize(now.size());
+    const std::size_t first = now.size() - system.shown().size();
+    for (std::size_t k = 0; k < now.size(); ++k) {
+        const auto none = k < first || is_finite(now[k])
+                              ? std::nullopt
+                              : reason_without_value(system.shown()[k - first], system, piece.system, piece.steps, now);
+        none ? demand.ended(time, *none) : demand.improve(kept[k], now[k], time, names[k]);
+    }
 }
 
 // Which leaves have equations without step functions, and are not reset, nor is what influences them.
@@ -93,10 +112,11 @@ partial_trajectory proved_part_of_hybrid(const hybrid_system& system, const std:
             zeros->put(*state, times[index], free);
             append_shown_at(*state, path, system, times[index]);
             if (path.at_event()) {
-                left_open[index] =
-                    !improve_at_event(demand, part.states[index], *state, digits, text_of_time(times[index]));
+                left_open[index] = !improve_at_event(demand, part.states[index], *state, digits,
+                                                     text_of_time(times[index]), names, system.shown().size());
             } else {
-                demand.improve(part.states[index], *state, text_of_time(times[index]), names);
+                improve_on_branch(demand, part.states[index], *state, text_of_time(times[index]), names, system,
+                                  path.piece());
             }
         }
         demand.cost(path.steps());

@@ -268,7 +268,8 @@ private:
         if (!linear_) {
             return std::nullopt;
         }
-        auto state = linear_->at(times_[index], bits);
+        auto state =
+            linear_->at(times_[index], bits, [&](std::vector<ball>& values) { zeros_.put(values, times_[index]); });
         if (!state) {
             linear_.reset();
         } else if (observer_) {

@@ -1,6 +1,7 @@
 // The further columns of a problem with events and piecewise right-hand sides.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "libration/equation/first_order_form.hpp"
 #include "libration/equation/hybrid_system.hpp"
 #include "libration/equation/polynomial_form.hpp"
+#include "libration/scalar/error.hpp"
 
 namespace libration::ode {
 
@@ -46,6 +48,30 @@ void append_shown(std::vector<R>& state, const hybrid_system& system, const expl
                   const step_values& steps, const R& time) {
     append_shown(state, system, branch, steps, time,
                  [](expression_values<R>& values, const expression& on_branch) { return values.of(on_branch); });
+}
+
+/// Why an expression to show has no value at a state in which unknowns are exactly 0; std::nullopt if it may have one.
+inline std::optional<std::string> reason_without_value(const definition& shown, const hybrid_system& system,
+                                                       const explicit_system& branch, const step_values& steps,
+                                                       const std::vector<ball>& state) {
+    const first_order_form form(branch);
+    const auto names = names_of_state(branch);
+    std::string zeros;
+    const auto at_zero = [&](const expression& leaf) -> std::optional<expression> {
+        for (std::size_t k = 0; k < form.leaves.size(); ++k) {
+            if (same_form(leaf, form.leaves[k]) && arb_is_zero(state[k].handle()) != 0) {
+                zeros = " at " + names[k] + " = 0";
+                return expression();
+            }
+        }
+        return std::nullopt;
+    };
+    try {
+        replaced(form.in_leaves(system.on_branch(shown.value, steps)), at_zero);
+        return std::nullopt;
+    } catch (const error& none) {
+        return "has no value of " + shown.name + ", which " + none.reason() + zeros;
+    }
 }
 
 }  // namespace libration::ode

@@ -82,6 +82,20 @@ outcome ask_emptied_store(choices& next) {
                                    next.one_in(2) ? fmt::format("h' = -{0}; Q' = {1}*{0}", flow, collected)
                                                   : fmt::format("Q' = {1}*{0}; h' = -{0}", flow, collected),
                                    as_typed(store.start), filled);
+    // A second store beside it, with a factor exp(-c t).
+    const emptying_store beside{fourth_power(rational(next.between(1, 3), 2)), rational(next.between(1, 4), 2),
+                                exponents[next.below(6)]};
+    const rational decay(next.between(0, 2), 4);
+    if (next.one_in(2)) {
+        question.problem +=
+            fmt::format("; g' = -if(g > 0, g^({}), 0)*({})*exp(-({})*t); g(0) = {}", beside.exponent.str(),
+                        as_typed(beside.rate), as_typed(decay), as_typed(beside.start));
+        question.unknowns.push_back({"g", {[=] {
+                                         const mpfr c = real(decay);
+                                         return beside.level(decay == 0 ? real(time)
+                                                                        : mpfr((1 - exp(mpfr(-c * real(time)))) / c));
+                                     }}});
+    }
     question.times = {time.str()};
     // A reset at the time of the question counts as before or after it: it is not asked.
     const bool is_filled = !filled.empty() && time > rational(1, 2);
@@ -92,12 +106,13 @@ outcome ask_emptied_store(choices& next) {
     const auto level = [=] {
         return is_filled ? second.level(mpfr(real(time) - mpfr(1) / 2)) : store.level(real(time));
     };
-    question.unknowns = {{"h", {level}}, {"Q", {[=] {
-                                              const mpfr out = real(store.start) -
-                                                               (is_filled ? store.level(mpfr(mpfr(1) / 2)) : mpfr(0)) +
-                                                               (is_filled ? mpfr(1) / 16 : mpfr(0)) - level();
-                                              return mpfr(collected * out);
-                                          }}}};
+    question.unknowns.push_back({"h", {level}});
+    question.unknowns.push_back({"Q", {[=] {
+                                     const mpfr out = real(store.start) -
+                                                      (is_filled ? store.level(mpfr(mpfr(1) / 2)) : mpfr(0)) +
+                                                      (is_filled ? mpfr(1) / 16 : mpfr(0)) - level();
+                                     return mpfr(collected * out);
+                                 }}});
     return asked_program(question);
 }
 

@@ -45,7 +45,7 @@ inline std::string upper_bound_text(const ball& x) {
     ball largest;
     arb_get_abs_ubound_arf(arb_midref(largest.handle()), x.handle(), 60);
     const mpfr bound = midpoint_of(largest);
-    return bound == 0 ? "0" : parts_of(bound, 3, MPFR_RNDU).text();
+    return bound == 0 ? "0" : is_finite(x) ? parts_of(bound, 3, MPFR_RNDU).text() : "inf";
 }
 
 /// An upper bound with three significant digits on every |number| of a ball that is not the exact 0.
@@ -53,7 +53,7 @@ inline std::string bound_text(const ball& x) {
     ball largest;
     arb_get_abs_ubound_arf(arb_midref(largest.handle()), x.handle(), 60);
     const precision_scope scope(20);
-    return parts_of(midpoint_of(largest * (ball(1) + pow(ball(2), -40L))), 3, MPFR_RNDU).text();
+    return !is_finite(x) ? "inf" : parts_of(midpoint_of(largest * (ball(1) + pow(ball(2), -40L))), 3, MPFR_RNDU).text();
 }
 
 /// The midpoint with `count` significant digits, if every number of the ball is less than one unit of the last of them

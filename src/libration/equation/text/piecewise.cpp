@@ -37,10 +37,11 @@ expression step_collector::chosen(const condition& holds, const expression& a, c
 namespace {
 
 // The bases of the even powers among the factors of an expression, and what has the sign of the rest: u > 0 where the
-// rest is positive and no base is 0. A base of which the sign changes is crossed where its square touches 0.
+// rest is positive and no base is 0; of an odd power it is the base. A base of which the sign changes is crossed where its square touches 0.
 struct signed_factors {
     std::vector<expression> squared;
     expression rest = 1;
+    bool has_powers = false;
 
     explicit signed_factors(const expression& u) { add(u, 0); }
 
@@ -52,12 +53,19 @@ private:
             add(e.left(), depth + 1);
             add(e.right(), depth + 1);
         } else if (n && denominator(*n) == 1 && *n > 1 && !e.left().is_constant()) {
+            has_powers = true;
             numerator(*n) % 2 == 0 ? squared.push_back(e.left()) : add(e.left(), depth + 1);
         } else {
             rest = written_product(rest, e);
         }
     }
 };
+
+// Without even powers.
+expression signed_part(const expression& u) {
+    const signed_factors factors(u);
+    return factors.has_powers ? factors.rest : u;
+}
 
 }  // namespace
 
@@ -73,7 +81,7 @@ expression step_collector::if_positive(const expression& u, const expression& a,
     if (const signed_factors factors(u); !factors.squared.empty()) {
         return if_nonzero(factors.squared, if_positive(factors.rest, a, b), b);
     }
-    const oriented_sign found = step_of(u);
+    const oriented_sign found = step_of(signed_part(u));
     // [-u > 0] = 1 - [u >= 0].
     const expression holds = found.orientation > 0 ? parameter(name_of_positive(found.parameter))
                                                    : 1 - parameter(name_of_nonnegative(found.parameter));
@@ -84,7 +92,7 @@ expression step_collector::if_not_negative(const expression& u, const expression
     if (const signed_factors factors(u); !factors.squared.empty()) {
         return if_nonzero(factors.squared, if_not_negative(factors.rest, a, b), a);
     }
-    const oriented_sign found = step_of(u);
+    const oriented_sign found = step_of(signed_part(u));
     const expression holds = found.orientation > 0 ? parameter(name_of_nonnegative(found.parameter))
                                                    : 1 - parameter(name_of_positive(found.parameter));
     return choice_between(holds, a, b);
@@ -94,7 +102,7 @@ expression step_collector::sign(const expression& u) {
     if (const signed_factors factors(u); !factors.squared.empty()) {
         return if_nonzero(factors.squared, sign(factors.rest), 0);
     }
-    const oriented_sign found = step_of(u);
+    const oriented_sign found = step_of(signed_part(u));
     return found.orientation * parameter(found.parameter);
 }
 
@@ -106,7 +114,10 @@ step_collector::oriented_sign step_collector::step_of(const expression& u) {
             return {each.parameter, relative};
         }
     }
-    return {added({.kind = step_kind::sign, .argument = u, .text = text_, .at = at_})};
+    // Of h <= 0 the argument is h, too.
+    const bool opposite = u.kind() == node_kind::product && u.left().is(-1);
+    return {added({.kind = step_kind::sign, .argument = opposite ? u.right() : u, .text = text_, .at = at_}),
+            opposite ? -1 : 1};
 }
 
 expression step_collector::floor(const expression& u, const number& divisor) {

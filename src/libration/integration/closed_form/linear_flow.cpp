@@ -335,10 +335,13 @@ std::vector<bool> linear_flow::changing(const std::vector<ball>& first_term) con
     return result;
 }
 
-std::optional<std::vector<ball>> linear_flow::at(const number& time, long bits) const {
+std::optional<std::vector<ball>> linear_flow::at(const number& time, long bits, const zeros_at& put_zeros) const {
     const long first = bits + guard_bits;
     return with_doubled_bits(first, most_times_bits * first, [&](long now) {
         std::vector<ball> state = rounded_state(time, now);
+        if (put_zeros) {
+            put_zeros(state);
+        }
         const bool precise = std::ranges::all_of(state, [&](const ball& each) { return is_precise(each, bits); });
         return precise ? std::optional(std::move(state)) : std::nullopt;
     });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -23,10 +24,12 @@ public:
     /// std::nullopt unless the equations have this form by exact arithmetic, at a regular initial point.
     static std::optional<linear_flow> of(const explicit_system& system);
 
+    /// Replaces balls that contain 0 by 0 where a value is proved to be 0.
+    using zeros_at = std::function<void(std::vector<ball>& state)>;
     /// The state at a time; each unknown is an exact 0 or has about as many bits, relative to itself. std::nullopt if
     /// that requires many times the precision, as for an unknown that decays to nothing while others do not, one
-    /// that is 0 for a reason that balls do not show, or if a value is beyond 2^(2^30).
-    std::optional<std::vector<ball>> at(const number& time, long bits) const;
+    /// that is 0 for a reason that neither balls nor put_zeros show, or if a value is beyond 2^(2^30).
+    std::optional<std::vector<ball>> at(const number& time, long bits, const zeros_at& put_zeros = {}) const;
 
 private:
     // A nonzero entry of a row.
