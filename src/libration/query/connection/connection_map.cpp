@@ -78,11 +78,10 @@ std::optional<manifold_end> end_in(const parametric_system& open, const first_or
 void require_autonomous(const first_order_form& form, const explicit_system& system) {
     for (const expression& each : form.slopes) {
         if (each.has_variable()) {
-            throw error(
-                error_kind::undecided, error_subject::problem, system.variable(),
-                "occurs in the equation: conditions at infinity require an autonomous system with an "
-                "equilibrium, a sum of powers c t^p y^q y'^r, a polynomial in u, u' and 1/t with one unknown "
-                "initial value, or one linear equation y'' + p(t) y' = q(t) y with y(inf) = 0");
+            throw error(error_kind::undecided, error_subject::problem, system.variable(),
+                        "occurs in the equation: conditions at infinity require an autonomous system with an "
+                        "equilibrium, a sum of powers c t^p y^q y'^r, a polynomial in u, u' and 1/t with one unknown "
+                        "initial value, or one linear equation y'' + p(t) y' = q(t) y with y(inf) = 0");
         }
     }
 }

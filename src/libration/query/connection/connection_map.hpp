@@ -16,13 +16,13 @@
 namespace libration::ode {
 
 /// Values of the first unknowns at a time, and their derivatives by the free numbers.
-struct start_values {
+struct differentiable_start {
     std::vector<ball> values;
     ball_matrix by_numbers;
 };
 /// These for all numbers of a box; std::nullopt if more bits are needed.
 using start_rule =
-    std::function<std::optional<start_values>(const std::vector<ball>& numbers, long bits, long error_bits)>;
+    std::function<std::optional<differentiable_start>(const std::vector<ball>& numbers, long bits, long error_bits)>;
 
 /// F = Phi_T(start) - P(theta): the unknowns are the free numbers, the free coordinates of the equilibria at the start
 /// and at the end, the angle of the start on an unstable manifold of dimension 2, and theta at the end.

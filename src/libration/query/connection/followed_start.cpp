@@ -5,12 +5,12 @@
 
 namespace libration::ode {
 
-start_values typed_start(const parametric_system& open, const std::vector<ball>& numbers) {
+differentiable_start typed_start(const parametric_system& open, const std::vector<ball>& numbers) {
     expression_values<ball> values(open.leaves, ball(0));
     for (const ball& each : numbers) {
         values.push_back(each);
     }
-    start_values result;
+    differentiable_start result;
     for (const expression& each : open.starts) {
         result.values.push_back(values.of(each));
         auto& row = result.by_numbers.emplace_back();
@@ -21,9 +21,9 @@ start_values typed_start(const parametric_system& open, const std::vector<ball>&
     return result;
 }
 
-std::optional<start_values> followed_start(const parametric_system& open, const start_values& from, double time,
-                                           long bits, long error_bits, const march_watch& watch,
-                                           const proof_route& route) {
+std::optional<differentiable_start> followed_start(const parametric_system& open, const differentiable_start& from,
+                                                   double time, long bits, long error_bits, const march_watch& watch,
+                                                   const proof_route& route) {
     proved_march march(open.system, from.values, bits, error_bits, watch, route);
     march.keep_derivative();
     const ball target = constant_value<ball>::of(open.system.point()) + exactly(time);
@@ -31,7 +31,7 @@ std::optional<start_values> followed_start(const parametric_system& open, const 
     if (!state) {
         return std::nullopt;
     }
-    return start_values{*state, product(march.derivative_at(target), from.by_numbers)};
+    return differentiable_start{*state, product(march.derivative_at(target), from.by_numbers)};
 }
 
 }  // namespace libration::ode

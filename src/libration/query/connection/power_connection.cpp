@@ -145,7 +145,8 @@ private:
         after_ = logarithmic_state(equation_, time_, leaves_[0], leaves_[1]);
     }
 
-    std::optional<start_values> after_first_part(const std::vector<ball>& numbers, long bits, long error_bits) const {
+    std::optional<differentiable_start> after_first_part(const std::vector<ball>& numbers, long bits,
+                                                         long error_bits) const {
         const precision_scope scope(decimal_digits(bits));
         expression_values<ball> at_start(first_->leaves, ball(0));
         for (const ball& each : numbers) {
@@ -174,7 +175,7 @@ private:
         for (const ball& each : numbers) {
             values.push_back(each);
         }
-        start_values result;
+        differentiable_start result;
         for (const expression& each : after_) {
             result.values.push_back(values.of(each));
             auto& row = result.by_numbers.emplace_back();

@@ -57,7 +57,7 @@ public:
             const auto regular = regular_question(equation_, question);
             near_.emplace(regular.system, regular.unknowns, regular.limits, route_, watch_);
             far_.begins = [this](const std::vector<ball>& numbers, long bits,
-                                 long /*error_bits*/) -> std::optional<start_values> {
+                                 long /*error_bits*/) -> std::optional<differentiable_start> {
                 return searches_ ? rough_start(equation_, numbers.front()) : beyond_start(numbers, bits);
             };
         }
@@ -86,7 +86,7 @@ public:
 
 private:
     // The state (u, u', 1/t) shortly after t = 0.
-    std::optional<start_values> beyond_start(const std::vector<ball>& numbers, long bits) const {
+    std::optional<differentiable_start> beyond_start(const std::vector<ball>& numbers, long bits) const {
         const precision_scope scope(decimal_digits(bits));
         const manifold_end& end = near_->right();
         const int degree =
@@ -101,10 +101,10 @@ private:
         const auto slope = [&](std::size_t i) { return at->by_numbers[i].front(); };
         const ball w_x = -w * w * slope(2);
         if (equation_.power == 0) {
-            return start_values{{g, h * w, w}, {{slope(0)}, {slope(1) * w + h * w_x}, {w_x}}};
+            return differentiable_start{{g, h * w, w}, {{slope(0)}, {slope(1) * w + h * w_x}, {w_x}}};
         }
         const ball t = at->value[2];
-        return start_values{{t * g, g + h, w}, {{t * slope(0) + slope(2) * g}, {slope(0) + slope(1)}, {w_x}}};
+        return differentiable_start{{t * g, g + h, w}, {{t * slope(0) + slope(2) * g}, {slope(0) + slope(1)}, {w_x}}};
     }
 
     // The coordinates of the manifold that leaves t = 0.
@@ -145,13 +145,13 @@ private:
         return found;
     }
 
-    std::optional<start_values> at_far_time(const ball& x, long bits, long error_bits) const {
+    std::optional<differentiable_start> at_far_time(const ball& x, long bits, long error_bits) const {
         const auto from = far_.begins ? far_.begins({x}, bits, error_bits) : typed_start(far_.open(), {x});
         return from ? followed_start(far_.open(), *from, time_, bits, error_bits, watch_, route_) : std::nullopt;
     }
 
     // The slope of the distance from the graph along the solution.
-    ball slope_at(const start_values& here) const {
+    ball slope_at(const differentiable_start& here) const {
         std::vector<ball> by_x;
         for (const auto& row : here.by_numbers) {
             by_x.push_back(row.front());
@@ -180,7 +180,7 @@ private:
     }
 
     // Whether the error of the graph is small enough for the digits.
-    bool has_digits(const ball& x, const start_values& here) const {
+    bool has_digits(const ball& x, const differentiable_start& here) const {
         const ball digits = pow(ball(10), -question_.digits - digits_beyond_radial);
         return certainly_less(graph_->eps.exact(), abs(slope_at(here)) * abs(x) * digits);
     }

@@ -122,7 +122,7 @@ std::optional<radial_equation> radial_equation_in(const connection_question& que
     return result;
 }
 
-start_values rough_start(const radial_equation& of, const ball& x) {
+differentiable_start rough_start(const radial_equation& of, const ball& x) {
     const ball t = exactly(std::ldexp(1., -log2_of_rough_start));
     const ball w = ball(1) / t;
     ball bend(0);
@@ -136,7 +136,8 @@ start_values rough_start(const radial_equation& of, const ball& x) {
     }
     const ball c = bend / (spread * 2);
     const ball_matrix none(3, std::vector<ball>{ball(0)});
-    return of.power == 0 ? start_values{{x + c * t * t, c * t * 2, w}, none} : start_values{{x * t, x, w}, none};
+    return of.power == 0 ? differentiable_start{{x + c * t * t, c * t * 2, w}, none}
+                         : differentiable_start{{x * t, x, w}, none};
 }
 
 connection_question far_question(const radial_equation& of, const connection_question& typed) {

@@ -32,7 +32,7 @@ connection_question far_question(const radial_equation& of, const connection_que
 connection_question regular_question(const radial_equation& of, const connection_question& typed);
 
 /// The state (u, u', 1/t) shortly after t = 0 for an initial value x, to about t^3 and without derivatives by x: for first guesses.
-start_values rough_start(const radial_equation& of, const ball& x);
+differentiable_start rough_start(const radial_equation& of, const ball& x);
 
 /// The name of the free number in both.
 inline constexpr const char* radial_unknown = "x";
