@@ -124,11 +124,13 @@ public:
                        : std::copysign(std::min(std::fabs(step), std::fabs(wanted)), wanted);
             map_.time = std::max(0., map_.time + step);
             advance(next, map_.time - before);
+            const int degree = map_.degree;
             map_.degree = largest_theta(next) < 0.6 ? 12 : 1;
             if (newton(next) && (step < 0 || largest_theta(next) < theta * 1.05)) {
                 x = next;
                 step *= 1.6;
             } else {
+                map_.degree = degree;
                 map_.time = before;
                 step /= 2;
                 if (std::fabs(step) * slowest < 1e-4) {
