@@ -85,14 +85,14 @@ leaf_group leaves_named(const explicit_system& of, const std::vector<std::string
     return leaves;
 }
 
-// The search for the singularities of the unknowns of one strongly connected component: in the system of these and of
-// all unknowns that they depend on, in its own units.
 // A place that a search found and to which no path could be followed.
 struct unfollowed_place {
     double modulus;
     error reason;
 };
 
+// The search for the singularities of the unknowns of one strongly connected component: in the system of these and of
+// all unknowns that they depend on, in its own units.
 class component_search {
 public:
     component_search(const explicit_system& whole, const std::vector<std::size_t>& component,
