@@ -128,7 +128,7 @@ TEST_CASE("terms of a movable point keep to their domain", "[asymptotics]") {
 }
 
 // Exponents 5/2 +- i sqrt(47)/2: |x^r| grows by exp(pi sqrt(47)/2) = 47600 around the point, so that the expansion reaches a hundredth.
-TEST_CASE("the law of Henon and Heiles' system", "[asymptotics][proved]") {
+TEST_CASE("the law of Henon and Heiles' system", "[.long][asymptotics][proved]") {
     const whole_exponent_range exponents;
     check_against_recurrence(
         "x'' = -x - 2*x*y; y'' = -y - x^2 + y^2; x(0) = 1/5; x'(0) = 1/10; y(0) = 1/10; y'(0) = 1/5", 0, 1000, 3);

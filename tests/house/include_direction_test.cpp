@@ -48,6 +48,7 @@ const std::set<std::pair<std::string, std::string>> sisters{{"integration/box", 
                                                             {"integration/root", "integration/taylor"},
                                                             {"integration/root", "integration/singular"},
                                                             {"paper/report", "paper/claims"},
+                                                            {"query/connection", "query/well"},
                                                             {"studies/pendulum", "studies/shared"},
                                                             {"studies/proved", "studies/shared"}};
 

@@ -156,7 +156,7 @@ TEST_CASE("the first pole of the tritronquee solution", "[ode][singularity]") {
 }
 
 // Falkner and Skan's equation with beta = 1/2: places beyond the nearest singularity -3.54573.. that no path reaches.
-TEST_CASE("a map ends before the nearest place that cannot be followed", "[plane]") {
+TEST_CASE("a map ends before the nearest place that cannot be followed", "[.long][plane]") {
     const std::string text = "f''' = -f*f'' - 1/2*(1-f'^2); f(0) = 0; f'(0) = 0; f''(0) = 9/10";
     const auto map = map_of(text);
     REQUIRE_FALSE(map.all.empty());
