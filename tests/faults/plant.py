@@ -39,7 +39,7 @@ def flags(tree, build):
              "LIBRATION_CHECKER": ROOT / "check/libration_check.py"}
     return ["-std=c++20", "-O1", "-DLIBRATION_COMPILED", *(f'-D{name}="{value}"' for name, value in names.items()),
             f"-I{tree}/include", f"-I{tree}/tests", f"-I{tree}/src", f"-I{tree}/src/command",
-            "-isystem", "/usr/include/eigen3", *(["-idirafter", f"{boost[1]}/include"] if boost else [])]
+            "-isystem", "/usr/include/eigen3", *(["-isystem", f"{boost[1]}/include"] if boost and boost[1] != "/usr" else [])]
 
 
 def run(command, **more):
