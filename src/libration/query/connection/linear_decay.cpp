@@ -86,7 +86,7 @@ public:
     }
 
     connection result() const {
-        std::string zero = "";  // what is not distinguished from 0
+        std::string zero;  // what is not distinguished from 0
         const growing_digits runs{question_.digits, first_digits_of_linear, most_digits_of_linear};
         const std::string& name = question_.unknowns.front();
         const auto attempt = [&](const precision_run&) -> std::optional<proved_decimal> {
