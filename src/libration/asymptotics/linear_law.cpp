@@ -57,9 +57,9 @@ double few_bits_below(double x, double least) {
 
 }  // namespace
 
-linear_law::linear_law(linear_equation of, const explicit_system& system, const std::optional<double>& within,
+linear_law::linear_law(linear_equation of, explicit_system system, const std::optional<double>& within,
                        plane_watch watch)
-    : equation_(std::move(of)), system_(system), watch_(std::move(watch)) {
+    : equation_(std::move(of)), system_(std::move(system)), watch_(std::move(watch)) {
     const precision_scope scope(digits_of_places);
     find_places();
     choose_circle(within);
@@ -191,7 +191,7 @@ std::vector<complex_ball> linear_law::others_than(std::size_t k, const std::vect
     return result;
 }
 
-double linear_law::distance_from(const complex_ball& z, const std::vector<complex_ball>& all) const {
+double linear_law::distance_from(const complex_ball& z, const std::vector<complex_ball>& all) {
     double least = std::numeric_limits<double>::infinity();
     for (const complex_ball& each : all) {
         least = std::min(least, below_in_double(modulus_in_balls(each - z)));

@@ -20,8 +20,7 @@ public:
     /// rho as given or between the moduli of the singular points, up to three times the least. Throws error of the kind undecided if an
     /// irregular singular point is inside, if a slit inside is longer than the distance to the next singular point allows, if two
     /// are on one ray, or if there is no singular point besides t0 and no rho. The system is that of the equation.
-    linear_law(linear_equation of, const explicit_system& system, const std::optional<double>& within,
-               plane_watch watch);
+    linear_law(linear_equation of, explicit_system system, const std::optional<double>& within, plane_watch watch);
 
     double rho() const { return rho_; }
     /// Of the solutions, in |t - t0| = rho.
@@ -50,7 +49,7 @@ private:
     std::vector<complex_ball> zeros() const { return others_than(places_.size(), roots()); }
     complex_ball root_at(std::size_t k) const;
     std::vector<complex_ball> others_than(std::size_t k, const std::vector<complex_ball>& all) const;
-    double distance_from(const complex_ball& z, const std::vector<complex_ball>& all) const;
+    static double distance_from(const complex_ball& z, const std::vector<complex_ball>& all);
     state moved(const state& from, const complex_ball& a, const complex_ball& b,
                 const std::vector<complex_ball>& all) const;
     state walked(const state& from, const complex_ball& a, const complex_ball& b,
