@@ -264,6 +264,32 @@ complaints separated(const house& all, const house& tests) {
     return found;
 }
 
+// Two classes of one name in a namespace, outside of unnamed ones, are undefined behaviour, which no linker reports. Those of
+// *_vectors.cpp are compiled for each processor, with all their functions inline.
+complaints repeated_classes(const house& all) {
+    static const std::regex space(R"(^namespace ([\w:]+) \{)");
+    static const std::regex defined(R"(^(?:struct|class) (\w+)(?: final)?(?: :[^;]*)? \{)");
+    std::map<std::string, std::string> first;
+    complaints found;
+    for (const auto& [path, text] : all) {
+        if (!path.starts_with("include/libration/") && !path.starts_with("src/libration/")) continue;
+        if (path.ends_with("_vectors.cpp")) continue;
+        std::istringstream rest(text);
+        std::string around;
+        bool unnamed = false;
+        for (std::string line; std::getline(rest, line);) {
+            std::smatch match;
+            if (std::regex_search(line, match, space)) around = match[1];
+            unnamed = (unnamed || line == "namespace {") && line != "}  // namespace";
+            if (unnamed || !std::regex_search(line, match, defined)) continue;
+            const auto [place, is_new] = first.emplace(around + "::" + std::string(match[1]), path);
+            if (!is_new && place->second != path)
+                found.push_back(path + " defines " + place->first + ", as does " + place->second);
+        }
+    }
+    return found;
+}
+
 house files_of(const std::vector<std::string>& folders) {
     const fs::path top = LIBRATION_SOURCE_DIR;
     house all;
@@ -294,6 +320,17 @@ TEST_CASE("no #include points backwards", "[house]") {
     const auto found = backward_includes(all);
     INFO(lines(found));
     CHECK(found.empty());
+}
+
+TEST_CASE("no class has two definitions", "[house]") {
+    const auto found = repeated_classes(this_house());
+    INFO(lines(found));
+    CHECK(found.empty());
+    CHECK(repeated_classes(
+              {{"include/libration/a.hpp", "namespace n {\nstruct one {\n"},
+               {"src/libration/b.cpp", "namespace n {\nnamespace {\nstruct one {\n}  // namespace\nclass two {\n"},
+               {"src/libration/c.hpp", "namespace n {\nclass two : x {\n"}})
+              .size() == 1);
 }
 
 TEST_CASE("a program that stops at mpfr needs no FLINT", "[house]") {

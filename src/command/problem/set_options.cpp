@@ -224,9 +224,8 @@ partial_table set_options::event_counts(const problem_options& problem, ode::eve
     result.text = found.counts.empty() ? "" : "events  " + text_of_counts(found.counts) + "\n";
     if (found.counts.size() > 1 && equations.sets.empty()) {
         result.text +=
-            "proved: one of these is the number of changes of sign; --count K finds the K-th event, or none, and "
-            "counts a "
-            "time at which 0 is only touched, too\n";
+            "proved: one of these is the number of changes of sign; --count K finds the K-th event, or "
+            "none, and counts a time at which 0 is only touched, too\n";
     }
     return result;
 }

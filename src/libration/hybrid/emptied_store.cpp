@@ -297,8 +297,10 @@ std::string hybrid_path::reason_at_store() const {
         const magnitude now(state[k]);
         if (now < magnitude(first[k]).shifted(-bits_of_near)) {
             return ", where the two sides of `" + each.text + "` differ by at most " + upper_bound_text(now.exact()) +
-                   ": a store becomes empty there only if it has no inflow, its outflow is h^a, 0 < a < 1, times a "
-                   "function that is positive by its form at h = 0, and nothing else jumps or switches then";
+                   ": a store is followed beyond the time at which it becomes empty only if it has no inflow, its "
+                   "outflow is h^a, "
+                   "0 < a < 1, times a function that is positive by its form at h = 0, and nothing else jumps or "
+                   "switches then";
         }
     }
     return "";

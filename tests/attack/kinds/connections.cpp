@@ -305,11 +305,11 @@ asked_connection of_linear_decay(choices& next) {
 
 asked_connection any_connection(choices& next) {
     switch (next.below(14)) {
-        case 13: return of_linear_decay(next);
         case 9: return of_power_decay(next);
         case 10: return of_atom(next);
         case 11: return of_moving_field(next);
         case 12: return of_ground_state(next);
+        case 13: return of_linear_decay(next);
         case 0: return of_graph(next);
         case 1: return of_resonance(next);
         case 2: return of_soliton(next);

@@ -139,8 +139,8 @@ outcome ask_oscillation_zero(choices& next) {
                 fmt::format("x'' = -({})*x; {}x'(0) = {}", as_typed(other * other), start, as_typed(q * other));
             break;
         case 1:  // x' = a x + b y, y' = c x - a y
-            question.problem = fmt::format("y' = ({2})*x - 2*y; x' = 2*x + ({3})*y; {0}y(0) = {1}", start,
-                                           as_typed((q * other - 2 * p) / 3), as_typed(-(other * other + 4) / 3), "3");
+            question.problem = fmt::format("y' = ({2})*x - 2*y; x' = 2*x + 3*y; {0}y(0) = {1}", start,
+                                           as_typed((q * other - 2 * p) / 3), as_typed(-(other * other + 4) / 3));
             break;
         default:  // next to an unknown that it drives
             question.problem = fmt::format("z' = x - z^3; x' = ({})*y; y' = -({})*x; z(0) = 1; {}y(0) = {}",

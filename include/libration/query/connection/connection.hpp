@@ -32,9 +32,9 @@ class connection_orbit;
 /// The unknowns, in order, and what is proved of them.
 struct connection {
     std::vector<proved_decimal> values;
-    std::string proved;  ///< a sentence
-    std::string not_claimed;
-    std::string phase = {};  ///< of an orbit with two ends: what fixes t = 0
+    std::string proved;       ///< a sentence
+    std::string not_claimed;  ///< empty if no other value exists
+    std::string phase = {};   ///< of an orbit with two ends: what fixes t = 0
     /// Free limits; the rates of decay d_j, minus the real parts of the eigenvalues that are followed, the slowest first; and for one slowest
     /// rate d, a real one, the amplitudes A of the unknowns with limits, y = y(inf) + A exp(-d |t|) + smaller terms. With two ends also the
     /// rates at -inf and the angle of intersection (connection_orbit.hpp). With as many digits as are proved; none for a boundary layer.
@@ -49,7 +49,8 @@ struct connection {
 /// of the equilibrium at inf (theorem W, manifold/invariant_manifold.hpp), Krawczyk's test for
 ///     Phi_T(x, theta^-) = P^+(theta^+; x)
 /// proves that exactly one (x, theta) in a box solves it: that solution tends to the equilibrium exponentially. The
-/// equilibria are those of far_state_of(). Boundary layers, and quantities that they carry, have limits of other kinds (theorem Y). Throws error of the subject "conditions" for limits that are not those of an
+/// equilibria are those of far_state_of(). Boundary layers, quantities that they carry, decay like a power, equations with 1/t and linear equations in the time have limits of
+/// other kinds [docs/theorems/infinity.md]. Throws error of the subject "conditions" for limits that are not those of an
 /// equilibrium, of "unknowns" for another number of unknowns than the dimensions of the manifolds require, and of "first
 /// guess" where no solution is found.
 connection proved_connection(const connection_question& question, const proof_route& route = {},

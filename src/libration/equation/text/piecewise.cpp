@@ -41,9 +41,11 @@ namespace {
 struct signed_factors {
     std::vector<expression> squared;
     expression rest = 1;
-    bool has_powers = false;
 
-    explicit signed_factors(const expression& u) { add(u, 0); }
+    explicit signed_factors(const expression& u) {
+        add(u, 0);
+        rest = has_powers_ ? rest : u;
+    }
 
 private:
     void add(const expression& e, int depth) {
@@ -53,19 +55,15 @@ private:
             add(e.left(), depth + 1);
             add(e.right(), depth + 1);
         } else if (n && denominator(*n) == 1 && *n > 1 && !e.left().is_constant()) {
-            has_powers = true;
+            has_powers_ = true;
             numerator(*n) % 2 == 0 ? squared.push_back(e.left()) : add(e.left(), depth + 1);
         } else {
             rest = written_product(rest, e);
         }
     }
-};
 
-// Without even powers.
-expression signed_part(const expression& u) {
-    const signed_factors factors(u);
-    return factors.has_powers ? factors.rest : u;
-}
+    bool has_powers_ = false;
+};
 
 }  // namespace
 
@@ -78,10 +76,11 @@ expression step_collector::if_nonzero(const std::vector<expression>& all, const 
 }
 
 expression step_collector::if_positive(const expression& u, const expression& a, const expression& b) {
-    if (const signed_factors factors(u); !factors.squared.empty()) {
+    const signed_factors factors(u);
+    if (!factors.squared.empty()) {
         return if_nonzero(factors.squared, if_positive(factors.rest, a, b), b);
     }
-    const oriented_sign found = step_of(signed_part(u));
+    const oriented_sign found = step_of(factors.rest);
     // [-u > 0] = 1 - [u >= 0].
     const expression holds = found.orientation > 0 ? parameter(name_of_positive(found.parameter))
                                                    : 1 - parameter(name_of_nonnegative(found.parameter));
@@ -89,20 +88,22 @@ expression step_collector::if_positive(const expression& u, const expression& a,
 }
 
 expression step_collector::if_not_negative(const expression& u, const expression& a, const expression& b) {
-    if (const signed_factors factors(u); !factors.squared.empty()) {
+    const signed_factors factors(u);
+    if (!factors.squared.empty()) {
         return if_nonzero(factors.squared, if_not_negative(factors.rest, a, b), a);
     }
-    const oriented_sign found = step_of(signed_part(u));
+    const oriented_sign found = step_of(factors.rest);
     const expression holds = found.orientation > 0 ? parameter(name_of_nonnegative(found.parameter))
                                                    : 1 - parameter(name_of_positive(found.parameter));
     return choice_between(holds, a, b);
 }
 
 expression step_collector::sign(const expression& u) {
-    if (const signed_factors factors(u); !factors.squared.empty()) {
+    const signed_factors factors(u);
+    if (!factors.squared.empty()) {
         return if_nonzero(factors.squared, sign(factors.rest), 0);
     }
-    const oriented_sign found = step_of(signed_part(u));
+    const oriented_sign found = step_of(factors.rest);
     return found.orientation * parameter(found.parameter);
 }
 

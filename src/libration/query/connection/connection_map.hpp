@@ -47,7 +47,7 @@ public:
     std::vector<std::string> names(const std::vector<std::string>& unknowns) const;
 
     /// Chooses coordinates at both ends for first guesses of numbers and coordinates, and the side of the start on a
-    /// curve. False if no manifold is proved there; without `proved` no proof is tried after the first.
+    /// curve. False if no manifold is proved there; without `proved` no proof is tried.
     bool choose(const std::vector<double>& at, int side, bool proved = true);
     /// Whether the equations or the limits depend on a free number.
     bool depends_on_numbers() const;

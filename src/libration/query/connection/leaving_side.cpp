@@ -35,7 +35,7 @@ public:
     bool choose(double x) {
         const std::vector<double> numbers{x};
         map_.degree = 12;
-        if (!map_.choose(numbers, side_, false)) {  // the sign of a side requires no proof of each manifold
+        if (!map_.choose(numbers, side_, false)) {  // the sign of a side requires no proof
             return false;
         }
         rest_ = map_.right().rest_values(numbers);

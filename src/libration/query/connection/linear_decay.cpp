@@ -28,13 +28,6 @@ constexpr long digits_of_roots = 40;
     throw error(error_kind::undecided, error_subject::problem, "", reason);
 }
 
-// The sign of f for all large s.
-int sign_at_infinity(const rational_function& f) {
-    return f.above().is_zero() ? 0 : f.above().coefficients().back() > 0 ? 1 : -1;
-}
-
-bool tends_to_zero(const rational_function& f) { return f.above().degree() < f.below().degree(); }
-
 // Whether a real root of p at or above `from` is not excluded.
 bool may_have_root_beyond(const rational_polynomial& p, const ball& from) {
     const precision_scope scope(digits_of_roots);
@@ -120,7 +113,7 @@ public:
             if (problem.kind() != error_kind::undecided || zero.empty()) {
                 throw;
             }
-            throw error(error_kind::undecided, error_subject::solution, "", zero + " is not distinguished from 0");
+            refuse_linear(zero + " is not distinguished from 0");
         }
         const std::string limit = question_.limits.front().text;
         result.proved = "exactly one " + name + " for which " + limit + ": no other solution with this " +
@@ -135,7 +128,7 @@ private:
     void require_unique_decay() const {
         const std::string form = "is y'' + p y' = q y, and ";
         const rational_function potential = of_.without_damping().potential;
-        if (sign_at_infinity(potential) <= 0 || tends_to_zero(potential)) {
+        if (potential.sign_at_infinity() <= 0 || potential.degree() < 0) {
             refuse_linear(form +
                           "q + p^2/4 + p'/2 has no limit > 0 at infinity, where exponential decay is not proved");
         }
@@ -143,10 +136,10 @@ private:
             refuse_linear(
                 "has only the solution 0 with this limit, because the given initial value is 0: give another one");
         }
-        if (sign_at_infinity(of_.damping) < 0 && !tends_to_zero(of_.damping)) {
+        if (of_.damping.sign_at_infinity() < 0 && of_.damping.degree() >= 0) {
             refuse_linear(form + "p < 0 at infinity, where y -> 0 is not proved");
         }
-        if (sign_at_infinity(of_.restoring) < 0) {
+        if (of_.restoring.sign_at_infinity() < 0) {
             refuse_linear(form + "q < 0 at infinity, where it is not proved that the limit 0 determines a solution");
         }
         if (may_have_root_beyond(of_.damping.below(), from())) {
@@ -172,10 +165,7 @@ bool is_linear_decay(const connection_question& question) {
     const auto& unknowns = question.unknowns;
     return question.limits.size() == 1 && question.limits.front().of.derivative() == 0 &&
            question.limits.front().value.fraction() == rational(0) && unknowns.size() == 1 &&
-           unknowns.front().find('(') != std::string::npos && is_linear_of_second_order(question.system) &&
-           std::ranges::any_of(question.system.equations, [](const equation& each) {
-               return each.left.has_variable() || each.right.has_variable();
-           });
+           unknowns.front().find('(') != std::string::npos && is_linear_in_time(question.system);
 }
 
 connection proved_linear_decay(const connection_question& question, const march_watch& watch) {

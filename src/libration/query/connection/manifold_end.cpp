@@ -220,14 +220,12 @@ bool manifold_end::choose(const std::vector<double>& numbers, std::size_t most, 
     while (plan_.log2_scale > least_log2_scale && !(sum_at(plan_.log2_scale) <= 1)) {
         --plan_.log2_scale;
     }
-    if (!proved && smaller_by_proof_) {
-        plan_.log2_scale -= *smaller_by_proof_;
+    if (!proved) {
         return true;
     }
     for (int k = 0; k < most_scales; ++k, --plan_.log2_scale) {
         const auto tested = series(at, false, degree_of_test);
         if (tested && tested->tails()) {
-            smaller_by_proof_ = k;
             return true;
         }
     }

@@ -32,8 +32,8 @@ public:
     std::vector<double> theta_near(const std::vector<double>& numbers, const std::vector<double>& given) const;
 
     /// Chooses the coordinates for these numbers, such that the series converges well for |theta| <= 1; a later call keeps
-    /// them fixed. At most so many directions, the fastest. False if no proof is found there with any scale. Without
-    /// `proved`, none is tried after the first one: the scale is smaller by the same factor than that of the first terms.
+    /// them fixed. At most so many directions, the fastest. False if no proof is found there with any scale; without
+    /// `proved` none is tried, and the scale is that of the first terms.
     bool choose(const std::vector<double>& numbers, std::size_t most, bool proved = true);
     /// The size of theta for which the number of terms is balanced.
     double good_radius() const;
@@ -77,7 +77,6 @@ private:
     bool depends_ = false;                            // on the numbers
     std::vector<std::size_t> moving_, given_moving_;
     frame_plan plan_;
-    std::optional<long> smaller_by_proof_;  // log2 of the factor of the scale in the last proof
 };
 
 }  // namespace libration::ode

@@ -226,10 +226,7 @@ eigenvalues proved_eigenvalues(const eigenvalue_question& question, const march_
 }
 
 bool is_well(const equation_system& system, const std::vector<std::string>& unknowns) {
-    return unknowns.size() == 1 && unknowns.front().find('(') == std::string::npos &&
-           is_linear_of_second_order(system) && std::ranges::any_of(system.equations, [](const equation& each) {
-               return each.left.has_variable() || each.right.has_variable();
-           });
+    return unknowns.size() == 1 && unknowns.front().find('(') == std::string::npos && is_linear_in_time(system);
 }
 
 }  // namespace libration::ode

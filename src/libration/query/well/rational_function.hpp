@@ -28,6 +28,9 @@ public:
     friend rational_function operator*(const rational_function& a, const rational_function& b);
     friend rational_function operator/(const rational_function& a, const rational_function& b);
     friend bool operator==(const rational_function& a, const rational_function& b) = default;
+    /// f(s) ~ c s^degree() for s -> inf with c of this sign; -1 or less, and 0, for f = 0.
+    int degree() const { return above_.degree() - below_.degree(); }
+    int sign_at_infinity() const { return above_.is_zero() ? 0 : above_.coefficients().back() > 0 ? 1 : -1; }
     /// Of -s, of 1/s, and of s + c.
     rational_function of_negative() const;
     rational_function of_inverse() const;

@@ -1,5 +1,6 @@
 #include "well_equation.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "libration/equation/identities.hpp"
@@ -186,9 +187,12 @@ well_equation damped_equation::without_damping() const {
 
 bool well_equation::is_even() const { return reflected().potential == potential; }
 
-bool is_linear_of_second_order(const equation_system& system) {
+bool is_linear_in_time(const equation_system& system) {
     try {
-        return linear_form_of(system, "").has_value();
+        return linear_form_of(system, "").has_value() &&
+               std::ranges::any_of(system.equations, [](const equation& each) {
+                   return each.left.has_variable() || each.right.has_variable();
+               });
     } catch (const error&) {
         return false;  // reported where the problem is solved
     }

@@ -36,9 +36,8 @@ struct damped_equation {
     well_equation without_damping() const;
 };
 
-/// Whether the equations have the form of a well: one linear equation of order 2, whose coefficients contain no other
-/// unknown, with the variable in it.
-bool is_linear_of_second_order(const equation_system& system);
+/// Whether the equations are one linear equation of order 2, without a further term, in which the variable occurs.
+bool is_linear_in_time(const equation_system& system);
 
 /// The equation in which `energy` is the number E. Throws error of the subject "problem" that names the term for which it has
 /// not this form.

@@ -33,7 +33,7 @@ well_side::well_side(const well_equation& of, well_end end, ball m)
     if (end_.point && !well_.exponential) {
         read_pole();
     }
-    if (!end_.point && tends_to_infinity() && well_.potential.above().coefficients().back() < 0) {
+    if (!end_.point && tends_to_infinity() && well_.potential.sign_at_infinity() < 0) {
         throw error(error_kind::argument, error_subject::problem, "",
                     "has a potential that tends to -infinity at an end at infinity, where no solution decays like an "
                     "exponential function: change the sign, or the end");
@@ -62,17 +62,14 @@ void well_side::read_pole() {
     pole_ = {std::move(above), std::move(below)};
 }
 
-bool well_side::tends_to_infinity() const {
-    return well_.potential.above().degree() > well_.potential.below().degree();
-}
+bool well_side::tends_to_infinity() const { return well_.potential.degree() > 0; }
 
 std::optional<rational> well_side::continuum() const {
-    const auto& above = well_.potential.above();
-    const auto& below = well_.potential.below();
     if (end_.point || tends_to_infinity()) {
         return std::nullopt;
     }
-    return above.degree() == below.degree() ? rational(above.coefficients().back() / well_.weight) : rational(0);
+    return well_.potential.degree() == 0 ? rational(well_.potential.above().coefficients().back() / well_.weight)
+                                         : rational(0);
 }
 
 double well_side::potential_near(double s) const {
