@@ -1,5 +1,5 @@
 // Signs that the form of an expression shows, and those that it does not show.
-#include "libration/equation/sign_by_form.hpp"
+#include "../../src/libration/equation/sign_by_form.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>

@@ -1495,6 +1495,7 @@ FAULTS = [
         "src/libration/asymptotics/linear_law.cpp", ["asymptotics/linear_law_test.cpp"],
         ("a singular point on the circle", "if (!certainly_less(modulus, rho)) {", "if (false) {"),
         ("an irregular singular point", "if (!structure.is_regular()) {", "if (false) {"),
+        ("multiple zeros counted once", "m < multiplicities_[places_[j].factor]", "m < 1"),
         ("the first coefficients at a singular start without the last that the equation leaves open",
          "first.push_back({complex_ball(expansion.coefficients(0)[n])});", "first.push_back({complex_ball(n > 0 ? 0 : 1)});"),
     ),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "../algebra/dense_matrix.hpp"
@@ -24,6 +25,17 @@ magnitude norm_of_terms(const std::vector<complex_ball>& v) {
         sum += hypotenuse(magnitude(each.re), magnitude(each.im));
     }
     return sum;
+}
+
+// Without one of the zeros of its leading coefficient the bound of an operator would be too small.
+void require_all_zeros(const local_operator& of) {
+    std::size_t degree = of.c.back().size() - 1;
+    while (degree > 0 && norm_of_terms({of.c.back()[degree]}).is_zero()) {
+        --degree;
+    }
+    if (of.zeros.size() != degree) {
+        throw std::logic_error("a local series without a zero of its leading coefficient");
+    }
 }
 
 // An upper bound of the sum over l >= 1 of |A_il| reach^l for each i < r. Division by one factor 1 - x/x_j after the other keeps the balls
@@ -71,6 +83,7 @@ std::vector<ball> sums_of_quotients(const local_operator& of, double reach) {
 frobenius_series::frobenius_series(const local_operator& of, complex_ball exponent,
                                    std::vector<std::vector<complex_ball>> first, const series_demand& demand)
     : exponent_(std::move(exponent)), v_(std::move(first)), reach_(exactly(demand.reach)) {
+    require_all_zeros(of);
     for (const auto& each : v_) {
         powers_ = std::max(powers_, each.size());
     }
