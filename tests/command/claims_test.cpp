@@ -51,7 +51,7 @@ void check_study(const words& given) {
 
 }  // namespace
 
-TEST_CASE("the command beside each claim runs", "[command][claims]") {
+TEST_CASE("the command beside each claim runs", "[.long][command][claims]") {
     std::set<std::string> run;
     for (const claim& each : all_claims()) {
         INFO(each.name << ": " << each.command);

@@ -135,4 +135,16 @@ TEST_CASE("a homoclinic orbit is found from the equilibrium near the initial val
                   {"1.41421", "x(-inf) = VALUE"});
 }
 
+TEST_CASE("an orbit that a reversal of time maps to itself is found without --unknown", "[command][find]") {
+    const auto separatrix =
+        run_libration({"find", "--problem", "y'' = -sin(y); y(-inf) = -pi; y(inf) = pi", "--digits", "20"});
+    CHECK(separatrix.out.find("y'(0)     2.0000000000000000000") != std::string::npos);
+    CHECK(separatrix.err.find("phase: y(-t) = -y(t), which fixes t = 0") != std::string::npos);
+    const words loop{"find", "--problem", "x' = y; y' = x - x^2; x(0) = 0.1; y(0) = 0", "--homoclinic"};
+    CHECK(run_libration(loop + words{"--digits", "12"}).out.find("x(0)      1.50000000000") != std::string::npos);
+    check_refused({"find", "--problem", "x'' = x - x^2; x(-inf) = 0; x(inf) = 0", "--homoclinic"},
+                  {"--homoclinic", "together with conditions at infinity"});
+    check_refused({"find", "--problem", "u'' + 3*u' + u*(1-u) = 0; u(-inf) = 1; u(inf) = 0"}, {"libration reference"});
+}
+
 }  // namespace command_find_test

@@ -1585,6 +1585,33 @@ FAULTS = [
         ("the damping left out", "state->slope - state->value * value_of(of_.damping) / 2", "state->slope"),
     ),
     *in_file(
+        "src/libration/query/connection/amplitude_connection.cpp", ["query/connection/amplitude_connection_test.cpp"],
+        ("the amplitude at another time", "exp(-rate * point * direction)", "exp(rate * point * direction)"),
+        ("the amplitude of another unknown", "decay->columns[row_].front().re", "decay->columns[0].front().re"),
+        ("several directions", "end.variables() != 1", "end.variables() < 1"),
+        ("theta at the initial point", "at_start * exp(-rate * exactly(map_.time))", "at_start"),
+    ),
+    *in_file(
+        "src/libration/query/connection/orbit_symmetry.cpp", ["query/connection/orbit_symmetry_test.cpp"],
+        ("different limits taken for equal ones", "of.are_equal = of.at_start && is_zero_sum(*of.at_start - *of.at_end);",
+         "of.are_equal = of.at_start.has_value();"),
+        ("a start beside that of the symmetric orbit", "(expression(form.starts[k]) - found->centre[k]).is(0)",
+         "true"),
+        ("the time in the equation", "[](const expression& each) { return each.has_variable(); }",
+         "[](const expression&) { return false; }"),
+    ),
+    *in_file(
+        "src/libration/equation/reversal.cpp", ["query/connection/orbit_symmetry_test.cpp"],
+        ("a field that is not its image", "if (!is_zero_sum(signs[i] > 0 ? turned + form.slopes[i] : turned - form.slopes[i])) {",
+         "if (i == 0 && !is_zero_sum(signs[i] > 0 ? turned + form.slopes[i] : turned - form.slopes[i])) {"),
+        ("the centre of the reflection", "centre.empty() ? -leaf : 2 * centre[k] - leaf", "-leaf"),
+    ),
+    *in_file(
+        "src/libration/query/connection/connection_orbit.cpp", ["query/connection/orbit_symmetry_test.cpp"],
+        ("the first half of a symmetric orbit not reflected", "(*states)[i][k] = image(k, (*states)[i][k]);", ""),
+        ("the limit of the first half not reflected", "direction < 0 && !twice_centre_.empty() ?", "direction < -1 ?"),
+    ),
+    *in_file(
         "src/libration/query/connection/far_state.cpp", ["query/connection/connection_test.cpp"],
         ("limits that are not those of an equilibrium accepted", "        if (is_identically_zero(e)) {",
          "        if (open_in(e).empty()) {"),

@@ -20,6 +20,7 @@ none may be found.
 
 import argparse
 import fnmatch
+import functools
 import json
 import re
 import sys
@@ -130,11 +131,24 @@ def collapsed(prose):
     return " ".join(words), lambda position: lines[bisect_right(starts, position) - 1]
 
 
+@functools.cache
+def literal_of(pattern):
+    """Characters that every match of a pattern contains one after the other; maybe none."""
+    rest, before = pattern, None
+    while rest != before:
+        rest, before = re.sub(r"\((?:[^()\\]|\\.)*\)|\[[^\]]*\]", "\0", rest), rest
+    if "|" in rest:
+        return ""
+    rest = re.sub(r"\\.|[^\\](?=[?*{])|\{[^}]*\}", "\0", rest)
+    return max(re.split(r"[^a-z0-9 ,'-]", rest), key=len)
+
+
 def hits_in(text, patterns):
     text = text.lower()  # faster than patterns for both cases
     for pattern, replacement in patterns:
-        for match in pattern.finditer(text):
-            yield match, pattern.pattern, replacement
+        if literal_of(pattern.pattern) in text:
+            for match in pattern.finditer(text):
+                yield match, pattern.pattern, replacement
 
 
 def files_of(paths):

@@ -1,56 +1,21 @@
 // Conditions at infinity in the text of a problem.
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <optional>
+#include <utility>
 
 #include "libration/equation/text/limit_condition.hpp"
 #include "libration/equation/text/parse.hpp"
+#include "libration/problem/limit_text.hpp"
 #include "problem_options.hpp"
-#include "text/input_error.hpp"
 
 namespace libration {
 
-std::vector<std::string> problem_options::take_limits() {
-    if (!problem_) {
+std::vector<std::string> problem_options::take_limits(const std::vector<std::string>& unknowns) {
+    if (!has_limits()) {
         return {};
     }
-    ode::separated_text separated;
-    std::optional<std::string> started;
-    try {
-        separated = ode::with_limits_separated(problem_named(*problem_).text);
-        if (separated.limits.empty()) {
-            return {};
-        }
-        const auto ends_at = [&](const char* end) {
-            return std::ranges::any_of(separated.limits,
-                                       [&](const std::string& each) { return each.find(end) != std::string::npos; });
-        };
-        const auto system = ode::parse(separated.problem);
-        const auto highest = system.highest_derivatives();
-        for (const std::string& name :
-             ends_at("(-inf)") && ends_at("(inf)") ? system.unknowns() : std::vector<std::string>()) {
-            for (int order = 0; order < highest.at(name); ++order) {
-                const auto of = ode::unknown(name, order);
-                if (std::ranges::any_of(system.starts,
-                                        [&](const ode::start& each) { return same_form(each.of, of); })) {
-                    started = ode::primed(name, order);
-                }
-                separated.problem += fmt::format("\n{}(0) = 0", ode::primed(name, order));
-            }
-        }
-    } catch (const error&) {
-        return {};  // reported where the problem is read
-    }
-    if (started) {
-        throw input_error(
-            "--problem", *started,
-            "has an initial value and limits at both ends, which determine an orbit up to its time",
-            "leave the value out, or, where the orbit is symmetric about it, one of the ends, as u(0) = pi; "
-            "u(inf) = 2*pi with --unknown \"u'(0)\"");
-    }
-    with_limits_ = problem_;
-    problem_ = separated.problem;
+    const auto separated = ode::with_limits_separated(problem_named(*problem_).text);
+    with_limits_ =
+        std::exchange(problem_, naming_option("--problem", [&] { return with_starts_between(separated, unknowns); }));
     limits_ = separated.limits;
     return limits_;
 }

@@ -79,9 +79,9 @@ public:
     /// The same without the requirement that all initial values are given.
     ode::equation_system equations_with_open_starts(
         const std::vector<std::pair<std::string, std::string>>& by_options) const;
-    /// Removes the conditions at infinity, f'(inf) = 1, from the text of the problem. If there are conditions at both
-    /// ends, missing initial values, which then have no effect, are set to 0.
-    std::vector<std::string> take_limits();
+    /// Removes the conditions at infinity, f'(inf) = 1, from the text of the problem, and adds the initial values that
+    /// with_starts_between() gives.
+    std::vector<std::string> take_limits(const std::vector<std::string>& unknowns);
     /// Whether the text of the problem has conditions at infinity that were not removed.
     bool has_limits() const;
     /// Removes these words from --show, unless the problem has such a name, and returns them.

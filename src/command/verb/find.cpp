@@ -14,6 +14,7 @@
 #include "libration/problem/find.hpp"
 #include "libration/problem/known_facts.hpp"
 #include "libration/problem/limit_solution.hpp"
+#include "libration/problem/limit_text.hpp"
 #include "limit_options.hpp"
 #include "option/options.hpp"
 #include "option/output_place.hpp"
@@ -181,15 +182,49 @@ int print_solutions(const find_options& options, const found_solutions& found, l
     return found.has_failures() ? 1 : 0;
 }
 
+// Adds the conditions of --homoclinic, and without --unknown the unknowns of a symmetric orbit.
+problem with_homoclinic_limits(find_options& options, const problem& of, const first_guess& guess) {
+    problem near = of;
+    for (const std::string& each : guess) {
+        naming_option("--guess", [&] { near.set(each); });
+    }
+    const auto limits = homoclinic_conditions(near);
+    options.conditions.insert(options.conditions.end(), limits.begin(), limits.end());
+    say_line(fmt::format("--homoclinic: {}", fmt::join(limits, ", ")));
+    if (!options.unknowns.empty()) {
+        return of;
+    }
+    const auto symmetric = symmetric_orbit_of(of, limits);
+    if (!symmetric) {
+        throw input_error(
+            "--homoclinic is given without --unknown, and no reversal of time is seen to leave the "
+            "equations unchanged: add the parameter for which there is such an orbit");
+    }
+    options.unknowns = options.without_guess = symmetric->unknowns;
+    return symmetric->of;
+}
+
 int run_find(find_options options) {
-    for (const std::string& each : options.problem.take_limits()) {
+    for (const std::string& each : options.problem.take_limits(options.unknowns)) {
         options.conditions.push_back(each);
     }
-    if (options.homoclinic || std::ranges::any_of(options.conditions, is_at_infinity)) {
+    const bool has_limits = std::ranges::any_of(options.conditions, is_at_infinity);
+    if (options.homoclinic && has_limits) {
+        throw input_error("--homoclinic is given together with conditions at infinity: leave one of them out");
+    }
+    if (options.homoclinic || has_limits) {
         options.shown = options.problem.take_shown(numbers_at_infinity());
     }
     options.output.check();
     const long digits = digits_of(options.digits);
+    if (options.unknowns.empty() && has_limits && !options.eigenvalue) {
+        options.unknowns = numbers_left_open(options.problem);
+        if (options.unknowns.empty()) {
+            throw input_error(
+                "--problem leaves no parameter or initial value open: add --unknown NAME, or print the "
+                "solution with libration reference");
+        }
+    }
     if (options.eigenvalue) {
         const auto found = found_eigenvalues(
             {*options.eigenvalue, options.count, options.conditions, digits, options.check}, options.problem);
@@ -200,20 +235,14 @@ int run_find(find_options options) {
         require_output_place("--certificate", *options.certificate);
     }
     auto guesses = first_guesses(options.guesses, options.unknowns);
-    if (options.homoclinic || std::ranges::any_of(options.conditions, is_at_infinity)) {
+    if (options.homoclinic || has_limits) {
         options.without_guess = add_first_values(options.problem, options.unknowns, guesses.front());
     }
     const auto along = options.along ? std::optional(read_along(options)) : std::nullopt;
     require_first_values(options.problem, options.unknowns, guesses.front(), along);
-    const problem of(options.problem.equations(first_values(guesses.front(), along)));
+    problem of(options.problem.equations(first_values(guesses.front(), along)));
     if (options.homoclinic) {
-        problem near = of;
-        for (const std::string& each : guesses.front()) {
-            naming_option("--guess", [&] { near.set(each); });
-        }
-        const auto limits = homoclinic_conditions(near);
-        options.conditions.insert(options.conditions.end(), limits.begin(), limits.end());
-        say_line(fmt::format("--homoclinic: {}", fmt::join(limits, ", ")));
+        of = with_homoclinic_limits(options, of, guesses.front());
     }
     progress shown("find", guesses.size());
     const request how{.scalar = {scalar_kind::proved, digits},
@@ -311,7 +340,8 @@ subcommand find_command(CLI::App& program) {
                       "of --periodic: also the Floquet multipliers, and what they prove about stability");
     command->add_flag(
         "--homoclinic", options->homoclinic,
-        "the orbit from the equilibrium near the initial values to itself, and the --unknown for which there is one");
+        "the orbit from the equilibrium near the initial values to itself, and the --unknown for which there is one; "
+        "without --unknown, one that a reversal of time leaves unchanged");
     command->add_flag(
         "--check", options->check,
         "compare with a second proof by another route, exit 1 if they disagree; with --certificate also run "

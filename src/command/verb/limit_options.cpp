@@ -33,9 +33,7 @@ void say_missing(const std::vector<std::string>& shown, const std::vector<answer
     }
 }
 
-namespace {
-
-std::vector<std::string> open_numbers_of(const problem_options& problem_of) {
+std::vector<std::string> numbers_left_open(const problem_options& problem_of) {
     return open_numbers(problem_of.naming([&] {
         auto typed = problem(problem_named(*problem_of.problem()).text).equations();
         for (const std::string& each : problem_of.changes()) {
@@ -45,10 +43,8 @@ std::vector<std::string> open_numbers_of(const problem_options& problem_of) {
     }));
 }
 
-}  // namespace
-
 std::optional<taken_limits> limit_options::take(problem_options& problem_of) const {
-    const auto conditions = problem_of.take_limits();
+    const auto conditions = problem_of.take_limits(unknowns_);
     if (conditions.empty()) {
         if (!unknowns_.empty() || !guesses_.empty()) {
             throw input_error(unknowns_.empty() ? "--guess" : "--unknown",
@@ -59,12 +55,15 @@ std::optional<taken_limits> limit_options::take(problem_options& problem_of) con
         return std::nullopt;
     }
     auto shown = problem_of.take_shown(numbers_at_infinity());
-    const auto unknowns = unknowns_.empty() ? open_numbers_of(problem_of) : unknowns_;
-    if (unknowns.empty()) {
+    const auto unknowns = unknowns_.empty() ? numbers_left_open(problem_of) : unknowns_;
+    const auto ends_at = [&](const char* end) {
+        return std::ranges::any_of(
+            conditions, [&](const std::string& each) { return without_blanks(each).find(end) != std::string::npos; });
+    };
+    if (unknowns.empty() && !(ends_at("(-inf)") && ends_at("(inf)"))) {
         throw input_error(
             "--problem with conditions at infinity leaves nothing open: leave out the value that they determine, or "
-            "add "
-            "--unknown NAME");
+            "add --unknown NAME");
     }
     auto guesses = first_guesses(guesses_, unknowns);
     if (guesses.size() > 1) {

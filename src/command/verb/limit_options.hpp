@@ -20,6 +20,10 @@ struct taken_limits {
 /// A line on stderr for each kind of number that `shown` names and no note has.
 void say_missing(const std::vector<std::string>& shown, const std::vector<answer_note>& notes);
 
+/// The parameters and initial values that the text of a problem leaves open, after its conditions at infinity were taken
+/// out.
+std::vector<std::string> numbers_left_open(const problem_options& problem_of);
+
 /// --unknown and --guess, for problems whose text has conditions at infinity.
 class limit_options {
 public:

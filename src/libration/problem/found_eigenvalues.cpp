@@ -15,6 +15,10 @@ std::vector<ode::limit_condition> read_limits(const problem& of, const std::vect
     std::vector<ode::limit_condition> limits;
     for (const std::string& each : conditions) {
         limits.push_back(about(error_subject::conditions, [&] { return ode::parse_limit(of.equations(), each); }));
+        if (limits.back().amplitude) {
+            throw error(error_kind::argument, error_subject::condition, each,
+                        "has an amplitude, and eigenfunctions have any factor: leave it out");
+        }
     }
     return limits;
 }

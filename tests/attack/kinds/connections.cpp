@@ -303,8 +303,56 @@ asked_connection of_linear_decay(choices& next) {
             value};
 }
 
+// m + a tanh(b t) and m + 4 atan(tanh(b t/2)) with y(0) = m, m + a sech^2(b t) with y'(0) = 0, which reversals of time map
+// to themselves. With friction there are no such orbits: then no answer is true.
+asked_connection of_symmetric_orbit(choices& next) {
+    const constant a = simple_constant(next);
+    const constant b = simple_constant(next);
+    const long m = next.between(-3, 3);
+    const long t = next.between(-2, 2);
+    const bool is_true = !next.one_in(4);
+    const std::string friction = is_true ? "" : " + y'/7";
+    if (next.one_in(3)) {
+        const truth start = [=] { return mpfr(a.value() + m + (is_true ? 0 : 1)); };
+        return {fmt::format("y'' = 4*{0}^2*(y-({1})) - 6*{0}^2/{2}*(y-({1}))^2{3}; y'({4}) = 0; y({4}) = {5}", b.text,
+                            m, a.text, friction, t, near_value(start, next)),
+                {fmt::format("y(-inf) = {}", m), fmt::format("y(inf) = {}", m)},
+                fmt::format("y({})", t),
+                start};
+    }
+    const bool of_sine = next.one_in(2);
+    const std::string half = of_sine ? "pi" : a.text;
+    const std::string field = of_sine ? fmt::format("-{}^2*sin(y-({}))", b.text, m)
+                                      : fmt::format("2*{0}^2/{1}^2*(y-({2}))*((y-({2}))^2-{1}^2)", b.text, a.text, m);
+    const truth slope = [=] { return mpfr(b.value() * (of_sine ? mpfr(2) : a.value()) + (is_true ? 0 : 1)); };
+    return {fmt::format("y'' = {}{}; y({}) = {}; y'({}) = {}", field, friction, t, m, t, near_value(slope, next)),
+            {fmt::format("y(-inf) = {} - {}", m, half), fmt::format("y(inf) = {} + {}", m, half)},
+            fmt::format("y'({})", t),
+            slope};
+}
+
+// m + a sech^2(b (t - s)) has the amplitude A = 4 a exp(2 b s), and y(0) = m + 4 a/(q + 2 + 1/q), q = A/(4 a).
+asked_connection of_amplitude(choices& next) {
+    const constant a = simple_constant(next);
+    const constant b = simple_constant(next);
+    const constant amplitude = any_constant(next);
+    const long m = next.between(-3, 3);
+    const truth start = [=] {
+        const mpfr q = amplitude.value() / (4 * a.value());
+        return mpfr(m + 4 * a.value() / (q + 2 + 1 / q));
+    };
+    return {fmt::format("y'' = 4*{0}^2*(y-({1})) - 6*{0}^2/{2}*(y-({1}))^2; y(0) = 1; y'(0) = 1", b.text, m, a.text),
+            {fmt::format("y(inf) = {} with amplitude {}", m, amplitude.text)},
+            "y(0)",
+            start,
+            40,
+            {"y'(0)"}};
+}
+
 asked_connection any_connection(choices& next) {
-    switch (next.below(14)) {
+    switch (next.below(16)) {
+        case 15: return of_amplitude(next);
+        case 14: return of_symmetric_orbit(next);
         case 9: return of_power_decay(next);
         case 10: return of_atom(next);
         case 11: return of_moving_field(next);

@@ -16,6 +16,7 @@ namespace {
 constexpr std::string_view far_time = "1000000000000000000000007";
 constexpr std::string_view exponentially_word = "exponentially";
 constexpr std::string_view fast_word = "fast";
+constexpr std::string_view amplitude_words = " with amplitude ";
 
 bool is_infinity(const token& word) { return word.kind == token_kind::name && word.primes == 0 && word.text == "inf"; }
 
@@ -126,10 +127,19 @@ limit_condition parse_limit(const equation_system& of, const std::string& condit
         }
         return found;
     };
+    std::string amplitude;
+    if (const auto at = words.find(amplitude_words); at != std::string::npos) {
+        amplitude = trimmed(std::string_view(words).substr(at + amplitude_words.size()));
+        words.resize(at);
+    }
     const bool exponentially = ends_with(exponentially_word);
     const bool fast = ends_with(fast_word);
     try {
         limit_condition result = limit_in(of, words);
+        if (!amplitude.empty()) {
+            const std::string name = primed(result.of.name(), result.of.derivative());
+            result.amplitude = limit_in(of, name + "(inf) = " + amplitude).value;
+        }
         result.exponentially = exponentially;
         result.fast = fast;
         result.text = trimmed(condition);

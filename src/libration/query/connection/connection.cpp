@@ -5,6 +5,8 @@
 #include <numeric>
 
 #include "../../algebra/dense_matrix.hpp"
+#include "../../equation/bound_text.hpp"
+#include "amplitude_connection.hpp"
 #include "candidate.hpp"
 #include "carried_connection.hpp"
 #include "combined_guesses.hpp"
@@ -21,6 +23,7 @@
 #include "libration/scalar/error.hpp"
 #include "linear_decay.hpp"
 #include "nearer_guess.hpp"
+#include "orbit_symmetry.hpp"
 #include "power_connection.hpp"
 #include "radial_connection.hpp"
 #include "searched_connection.hpp"
@@ -38,32 +41,12 @@ constexpr long digits_beside = 30;
 constexpr long least_digits_beside = 3;
 constexpr long digits_of_numbers = 10;
 
-// Initial values that have no effect, where both ends are at infinity.
-equation_system with_starts(equation_system system) {
-    const auto highest = system.highest_derivatives();
-    const expression point = system.starts.empty() ? expression(0) : system.starts.front().point;
-    for (const std::string& name : system.unknowns()) {
-        for (int order = 0; order < highest.at(name); ++order) {
-            const auto of = unknown(name, order);
-            if (std::ranges::none_of(system.starts, [&](const start& each) { return same_form(each.of, of); })) {
-                system.begin(of, 0, point);
-            }
-        }
-    }
-    return system;
-}
-
-bool is_two_sided(const std::vector<limit_condition>& limits) {
-    return std::ranges::any_of(limits, [](const auto& each) { return each.direction > 0; }) &&
-           std::ranges::any_of(limits, [](const auto& each) { return each.direction < 0; });
-}
-
 class connection_search {
 public:
     connection_search(const connection_question& question, const start_rule& begins, bool may_rest,
                       const proof_route& route, const march_watch& watch)
         : question_(question),
-          map_(is_two_sided(question.limits) ? with_starts(question.system) : question.system, question.unknowns,
+          map_(is_two_sided(question.limits) ? with_idle_starts(question.system) : question.system, question.unknowns,
                question.limits, route, watch) {
         map_.begins = begins;
         map_.may_rest = may_rest;
@@ -240,14 +223,18 @@ private:
             map_.may_rest ? nullptr : std::make_shared<connection_orbit>(map_, question_.unknowns, question_.limits, x);
         result.time = orbit ? as_double(orbit->joining_time()) : map_.direction() * map_.time;
         const std::string names = joined(question_.unknowns);
-        result.proved = "exactly one " + (question_.unknowns.size() == 1 ? names : "set " + names) + " near " +
-                        (question_.unknowns.size() == 1 ? "this value" : "these values") + " for which the solution" +
-                        (map_.has_two_ends() ? " from the unstable manifold at -inf" : "") + " is on the " +
-                        std::to_string(map_.right().variables()) + "-dimensional " + (map_.is_fast() ? "strong " : "") +
-                        "stable manifold at t = " + text_of(result.time) +
+        const std::string which = names.empty() ? ""
+                                  : question_.unknowns.size() == 1
+                                      ? "exactly one " + names + " near this value for which "
+                                      : "exactly one set " + names + " near these values for which ";
+        result.proved = which + "the solution" + (map_.has_two_ends() ? " from the unstable manifold at -inf" : "") +
+                        " is on the " + std::to_string(map_.right().variables()) + "-dimensional " +
+                        (map_.is_fast() ? "strong " : "") + "stable manifold at t = " + text_of(result.time) +
                         ", from where it tends to the limits exponentially";
-        result.not_claimed = "that there are no other values of " + names +
-                             ", or that solutions that tend to the limits in another way are excluded";
+        result.not_claimed = names.empty() ? "that there is no other orbit with these limits"
+                                           : "that there are no other values of " + names +
+                                                 ", or that solutions that tend to the limits in another way are "
+                                                 "excluded";
         add_numbers(result, roots, x);
         if (orbit) {
             add_orbit(result, *orbit);
@@ -330,6 +317,24 @@ connection proved_orbit(const connection_question& question, const proof_route& 
     return result;
 }
 
+// By the half of the orbit that ends at inf.
+connection proved_symmetric(const connection_question& question, const orbit_symmetry& symmetry,
+                            const proof_route& route, const march_watch& watch) {
+    connection_question half = question;
+    std::erase_if(half.limits, [](const limit_condition& each) { return each.direction < 0; });
+    half.system = with_idle_starts(half.system);
+    connection result = proved_connection(half, route, watch);
+    const std::string reversal = symmetry.text();
+    result.proved += ", and, since " + reversal + ", to those at -inf";
+    result.phase = reversal + ", which fixes t = " + text_of_time(symmetry.point);
+    if (result.orbit) {
+        auto whole = std::make_shared<connection_orbit>(*result.orbit);
+        whole->reflect(symmetry);
+        result.orbit = std::move(whole);
+    }
+    return result;
+}
+
 }  // namespace
 
 connection searched_decay(const connection_question& question, const start_rule& begins, const proof_route& route,
@@ -338,6 +343,12 @@ connection searched_decay(const connection_question& question, const start_rule&
 }
 
 connection proved_connection(const connection_question& question, const proof_route& route, const march_watch& watch) {
+    if (has_amplitude(question)) {
+        return proved_by_amplitude(question, route, watch);
+    }
+    if (const auto symmetry = symmetry_of(question)) {
+        return proved_symmetric(question, *symmetry, route, watch);
+    }
     if (is_layer(question)) {
         return proved_layer(question, route, watch);
     }

@@ -95,8 +95,45 @@ ball connection_orbit::joining_time() const {
     return map_.has_two_ends() ? exactly(map_.time) - phase_ : phase_ + exactly(map_.time) * map_.direction();
 }
 
+void connection_orbit::reflect(const orbit_symmetry& by) {
+    for (const std::string& name : names_) {
+        for (const expression& each : by.of) {
+            if (primed(each.name(), each.derivative()) == name) {
+                const auto centre = by.centre_of(each);
+                twice_centre_.push_back(centre ? std::optional((2 * *centre).constant()) : std::nullopt);
+            }
+        }
+    }
+}
+
+ball connection_orbit::image(std::size_t quantity, const ball& value) const {
+    const auto& twice = twice_centre_[quantity];
+    return twice ? constant_value<ball>::of(*twice) - value : value;
+}
+
 std::optional<std::vector<std::vector<ball>>> connection_orbit::states(const std::vector<ball>& times,
                                                                        long bits) const {
+    if (twice_centre_.empty()) {
+        return states_of_half(times, bits);
+    }
+    const precision_scope scope(decimal_digits(bits));
+    std::vector<ball> later;
+    std::vector<bool> is_image;
+    for (const ball& each : times) {
+        is_image.push_back(certainly_less(along_solution(each), ball(0)));
+        later.push_back(is_image.back() ? phase_ * 2 - each : each);
+    }
+    auto states = states_of_half(later, bits);
+    for (std::size_t i = 0; states && i < times.size(); ++i) {
+        for (std::size_t k = 0; is_image[i] && k < names_.size(); ++k) {
+            (*states)[i][k] = image(k, (*states)[i][k]);
+        }
+    }
+    return states;
+}
+
+std::optional<std::vector<std::vector<ball>>> connection_orbit::states_of_half(const std::vector<ball>& times,
+                                                                               long bits) const {
     const precision_scope scope(decimal_digits(bits));
     std::vector<ball> flow, end, start;
     std::vector<std::size_t> group(times.size());
@@ -195,7 +232,8 @@ std::vector<ball> connection_orbit::limits(int direction) const {
     const auto values = end.rest_at(at_start ? map_.numbers_of_left(x_) : map_.numbers_of_right(x_));
     std::vector<ball> result;
     for (const std::size_t k : places_) {
-        result.push_back(values[static_cast<std::size_t>(std::ranges::find(end.moving(), k) - end.moving().begin())]);
+        const ball& at = values[static_cast<std::size_t>(std::ranges::find(end.moving(), k) - end.moving().begin())];
+        result.push_back(direction < 0 && !twice_centre_.empty() ? image(result.size(), at) : at);
     }
     return result;
 }

@@ -9,6 +9,7 @@
 
 #include "../../algebra/dense_matrix.hpp"
 #include "connection_map.hpp"
+#include "orbit_symmetry.hpp"
 
 namespace libration::ode {
 
@@ -22,9 +23,11 @@ public:
     connection_orbit(connection_map map, std::vector<std::string> unknowns, std::vector<limit_condition> limits,
                      std::vector<ball> x);
 
+    /// Of one end: the solution has this symmetry, which gives the other half.
+    void reflect(const orbit_symmetry& by);
+
     /// Those that move at each end, with a limit there.
     const std::vector<std::string>& quantities() const { return names_; }
-    bool has_two_ends() const { return map_.has_two_ends(); }
     /// Towards which end of the half-line.
     int direction() const { return map_.direction(); }
     /// The time, in phase, from which on the solution is on the manifold of the end.
@@ -49,6 +52,8 @@ public:
     std::optional<ball> angle(long bits) const;
 
 private:
+    ball image(std::size_t quantity, const ball& value) const;
+    std::optional<std::vector<std::vector<ball>>> states_of_half(const std::vector<ball>& times, long bits) const;
     struct slowest {
         std::size_t direction;
         ball rate;  // > 0
@@ -71,6 +76,7 @@ private:
     std::vector<ball> x_;
     std::vector<std::string> names_;
     std::vector<std::size_t> places_;  // of the names in the form
+    std::vector<std::optional<number>> twice_centre_;  // of the quantities that a symmetry reflects; or empty
     ball phase_;                       // the time of the map at t = 0
     std::string of_phase_;             // the unknown that fixes it
     int sign_of_phase_ = 1;

@@ -32,7 +32,7 @@ void require_square(const connection_map& map, std::size_t unknowns) {
     const std::string what = map.may_rest ? "solutions that decay like this power of the time" : "these limits";
     const std::size_t others = map.coordinates() + stable + (map.has_two_ends() ? map.left_variables() - 1 : 0);
     const std::size_t n = map.dimension();
-    if (others >= n) {
+    if (others > n || (others == n && unknowns > 0)) {
         throw error(error_kind::argument, error_subject::unknowns, "",
                     "has too many names: " + std::string(map.may_rest ? "" : "solutions with ") + what +
                         " are found for every value of them, since " +

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "../../algebra/dense_matrix.hpp"
+#include "../../equation/reversal.hpp"
 #include "libration/scalar/error.hpp"
 #include "orbit_refinement.hpp"
-#include "reversal.hpp"
 
 namespace libration::ode {
 
