@@ -16,7 +16,7 @@ constexpr int most_runs_at_zero = 6;
 constexpr double most_work_at_zero = 1L << 23;
 // Of so many values that contain 0 of which a run shows some, the bits for all are predicted; not for a run of more work.
 constexpr long least_open_values = 4;
-constexpr double most_work_of_prediction = 1L << 28;
+constexpr double most_work_of_prediction = 1L << 27;
 constexpr int most_predictions = 3;
 
 }  // namespace
@@ -104,7 +104,7 @@ void run_demand::begin(const run_bits& with) {
 }
 
 // Of values that become smaller one after the other, as far from the ends of a chain, each further bit shows as many as
-// those since the run before: a fifth more of what that predicts, and the digits. A prediction that left more than a
+// those since the run before: a tenth more of what that predicts, and the digits. A prediction that left more than a
 // quarter of them was not of this kind.
 std::optional<long> run_demand::bits_for_open_values() const {
     const long shown = open_before_.count - now_open_.count;
@@ -113,7 +113,7 @@ std::optional<long> run_demand::bits_for_open_values() const {
         now_open_.bits <= open_before_.bits) {
         return std::nullopt;
     }
-    const double predicted = 1.2 * static_cast<double>(now_open_.bits - open_before_.bits) *
+    const double predicted = 1.1 * static_cast<double>(now_open_.bits - open_before_.bits) *
                              static_cast<double>(now_open_.count) / static_cast<double>(shown);
     const double all = static_cast<double>(now_open_.bits + bits_of_digits(digits_)) + predicted;
     return static_cast<double>(steps_) * all * all <= most_work_of_prediction ? std::optional(static_cast<long>(all))

@@ -169,7 +169,7 @@ void box_rule::plan_step(const flow_state& from, const ball& rest, long bits) {
     }
 }
 
-// The tail as far as it shows beside the radii of the coefficients at the usual length of a step: an unknown that is much
+// The tail as far as it shows next to the radii of the coefficients at the usual length of a step: an unknown that is much
 // smaller than those that it is a difference of has no more digits than they have. For the choice of the length alone.
 tail_bound box_rule::visible_tail() const {
     const double distance = log_of(tail_->radius) + usual_part_of_radius;
