@@ -103,6 +103,40 @@ TEST_CASE("a value about 0 has three runs, and six if they are short", "[digits]
     CHECK(runs_for(ball(0), 50, 8).bits == std::vector<long>(all.begin(), all.begin() + 4));
 }
 
+// Runs for twenty values 2^(-60 k), and as many as given that contain 0 in each run, with these steps.
+proved_runs runs_for_ever_smaller_values(int about_zero, long steps) {
+    proved_runs made;
+    std::vector<known_value> kept;
+    made.missing = prove_digits(15, "time", [&](const run_bits& run, run_demand& demand) {
+        const precision_scope scope(decimal_digits(run.bits));
+        made.bits.push_back(run.bits);
+        std::vector<ball> values(static_cast<std::size_t>(about_zero));
+        for (long k = 1; k <= 20; ++k) {
+            values.push_back(pow(ball(2), -60 * k));
+        }
+        for (ball& each : values) {
+            each = enclose(each, pow(ball(2), -run.bits));
+        }
+        demand.improve(kept, values, "1", std::vector<std::string>(values.size(), "x"));
+        demand.cost(steps);
+    });
+    return made;
+}
+
+TEST_CASE("the bits of values that are ever smaller are predicted", "[digits]") {
+    // The first run distinguishes one from 0, the second one three.
+    const auto predicted =
+        static_cast<long>(2 * first + bits_of_digits(15) + 1.1 * static_cast<double>(first) * 17 / 2);
+    const auto small = runs_for_ever_smaller_values(0, 1);
+    CHECK_FALSE(small.missing);
+    CHECK(small.bits == std::vector<long>{first, 2 * first, predicted});
+    // Not if the run would be long, nor again for values that it does not distinguish from 0.
+    CHECK(runs_for_ever_smaller_values(0, 1'000'000).bits[2] == 4 * first);
+    const auto zeros = runs_for_ever_smaller_values(10, 1);
+    CHECK(zeros.missing);
+    CHECK(zeros.bits.size() == 3);
+}
+
 TEST_CASE("bits lost on a part of the way are extrapolated to all of it", "[digits]") {
     const auto second_run = [](double part) {
         std::vector<long> seen;

@@ -7,6 +7,7 @@
 
 #include "libration/equation/text/parse.hpp"
 #include "libration/expansion/ball_expansion.hpp"
+#include "libration/expansion/step_pieces.hpp"
 #include "proved.hpp"
 #include "scalars.hpp"
 
@@ -178,6 +179,35 @@ TEST_CASE("FLINT's products in mpfr keep the digits of a geometric series", "[od
         CAPTURE(n);
         CHECK(abs(mpfr(blocks.coefficients(0)[n] * scale - 1)) <= mpfr(8 * (n + 1) * epsilon<mpfr>()));
         scale *= 7;
+    }
+}
+
+// Of exact numbers with far more bits than the working precision, by sums term by term in more.
+TEST_CASE("FLINT's products of balls with more bits than the working precision hold the exact sums", "[ode][ball]") {
+    constexpr int length = 128;
+    std::vector<ball> a, b, exact;
+    {
+        const precision_scope wide(400);
+        for (int k = 0; k < 2 * length; ++k) {
+            const ball power = pow(ball(5), static_cast<long>(-k));
+            a.push_back(midpoint_alone(power / 3));
+            b.push_back(midpoint_alone(power / 7));
+        }
+        for (int i = 0; i < length; ++i) {  // those of a_k b_(length + i - k) with k < length
+            ball sum(0);
+            for (int k = 0; k < length; ++k) {
+                sum += a[static_cast<std::size_t>(k)] * b[static_cast<std::size_t>(length + i - k)];
+            }
+            exact.push_back(sum);
+        }
+    }
+    const precision_scope scope(60);
+    std::vector<ball> sums(length, ball(0));
+    fast_product<ball>()->add_middle(sums.data(), length, a.data(), length, b.data(), 2 * length);
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        CAPTURE(i);
+        CHECK(contains(sums[i], exact[i]));
+        CHECK(certainly_less(radius_of(sums[i]), abs(exact[i]) * pow(ball(10), -50L)));
     }
 }
 

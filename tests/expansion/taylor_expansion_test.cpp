@@ -9,6 +9,8 @@
 
 #include "libration/equation/text/parse.hpp"
 #include "libration/expansion/ball_expansion.hpp"
+#include "libration/expansion/coefficient_digits.hpp"
+#include "libration/expansion/fast_product.hpp"
 #include "libration/pendulum/coefficients.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/series/exponential.hpp"
@@ -282,6 +284,35 @@ TEST_CASE("in balls each coefficient holds the exact one", "[ode][taylor_expansi
     for (int n = 0; n <= order; ++n) {
         CHECK(overlaps(own[n], found[n]));
     }
+}
+
+TEST_CASE("coefficients have the digits of their degree", "[ode][taylor_expansion][ball]") {
+    // y = 1/(3 - t): a_n = 3^-(n + 1), by a square, from y(0) = 1/3.
+    constexpr int order = 200;
+    const precision_scope scope(100);
+    const tape points = tape::about_points(explicit_system(parse("y' = y^2; y(0) = 1/3")));
+    std::vector<long> falling;
+    for (int n = 0; n < order; ++n) {
+        falling.push_back(100 - 2 * n / 5);
+    }
+    for (const auto* const fast : {static_cast<const series::block_product<ball>*>(nullptr), fast_product<ball>()}) {
+        taylor_expansion<ball> series(points, order, fast);
+        for (const bool limited : {true, false, true}) {
+            const coefficient_digits digits(limited ? falling : std::vector<long>());
+            series.about(ball(0), {{ball(1) / 3}});
+            for (int n = 1; n <= order; ++n) {
+                CAPTURE(limited, n);
+                const ball& found = series.coefficients(0)[n];
+                const ball exact = ball(1) / pow(ball(3), static_cast<long>(n + 1));
+                CHECK(overlaps(found, exact));
+                const long left = limited ? falling[static_cast<std::size_t>(n) - 1] : 100;
+                CHECK(certainly_less(radius_of(found), exact * pow(ball(10), 3 - left) * n));
+                CHECK(certainly_less(exact * pow(ball(10), -left - 6), radius_of(found)));
+            }
+        }
+    }
+    CHECK(coefficient_digits::in_force() == nullptr);
+    CHECK(working_digits() == 100);
 }
 
 TEST_CASE("expansions about other points continue the solution, complex ones too", "[ode][taylor_expansion]") {

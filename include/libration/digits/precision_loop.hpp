@@ -184,6 +184,12 @@ private:
     struct open_value {
         std::string of, reason;
     };
+    // The values that contain 0 in a run: of which time or event, how many, and the bits.
+    struct open_values {
+        std::string of;
+        long count = 0, bits = 0;
+    };
+    std::optional<long> bits_for_open_values() const;
 
     long digits_;
     subject_name subject_;
@@ -195,6 +201,8 @@ private:
     int runs_with_both_ = 0;  // values that contain 0, and others that lack bits
     long steps_ = 0;
     std::optional<error> missing_;
+    open_values now_open_, open_before_;
+    int predictions_ = 0;
 };
 
 /// The proof of so many digits: calls run(bits, demand) until nothing is missing or no run within the limits proves

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "libration/expansion/coefficient_digits.hpp"
 #include "libration/expansion/placed_steps.hpp"
 #include "libration/expansion/step_arrays.hpp"
 #include "libration/series/arithmetic.hpp"
@@ -31,7 +32,8 @@ struct known_series {
 /// rounded as the kernels do. O(N^2) products for each step that is a product or a function, O(N) for the others; a
 /// symmetry of the initial values (tape::about_start) divides that by its square. With a fast product of whole
 /// sequences (blocked_sums.hpp; expansion/fast_product.hpp) about O(N) for each such step. The arrays are allocated once
-/// and can be used for any number of points.
+/// and can be used for any number of points. Of mpfr and balls, what follows from coefficient n has the digits of
+/// coefficient_digits.
 template <field R>
 class taylor_expansion {
 public:
@@ -155,6 +157,7 @@ void taylor_expansion<R>::run(const std::vector<known_series<R>>& known) {
     }
     const int count = static_cast<int>(tape_->steps().size());
     for (int n = 0; n < order_; ++n) {
+        const coefficient_scope fewer_digits(n);
         for (int i = 0; i < count && n + lowest <= order_; ++i) {
             arrays_.compute(i, n);
         }

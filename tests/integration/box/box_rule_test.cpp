@@ -2,7 +2,9 @@
 // backwards, from points and from boxes.
 #include "libration/integration/box/box_rule.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -108,6 +110,55 @@ TEST_CASE("box: a chain of a hundred springs by its normal modes") {
         }
         return state;
     });
+}
+
+TEST_CASE("box: small differences of large unknowns by many bits") {
+    // By fixed-point sums of the power series with 520 bits, in integers of Python.
+    const std::vector<std::pair<std::string, std::string>> truth{
+        {"q[1]", "0.17834646930602614424915303264049344367948626696087"},
+        {"q[20]", "0.17513336422396286101555933963726307288399917474261"},
+        {"p[16]", "-6.562543634387461491607101252703890751321370696632e-38"},
+        {"p[19]", "-2.7658478844052619232943462420908615896016193925638e-47"},
+        {"p[22]", "-2.5950197574082053909428009097515735716545965098126e-44"},
+        {"p[40]", "-0.20697966470359619356110663297343918555435622071956"}};
+    const std::string chain =
+        "q[i]' = p[i] for i = 1..40; p[i]' = q[i+1] - 2*q[i] + q[i-1] + ((q[i+1] - q[i])^2 - (q[i] - q[i-1])^2)/4 for "
+        "i = 1..40; "
+        "q[0] = 0; q[41] = 0; q[i](0) = (i mod 3)/5 for i = 1..40; p[i](0) = 0 for i = 1..40";
+    const auto states = proved_trajectory(system_of(chain), {fraction(1, 1)}, 45, {}, by_comparison());
+    const precision_scope scope(80);
+    const auto names = names_of_state(system_of(chain));
+    for (const auto& [name, expected] : truth) {
+        CAPTURE(name);
+        const auto at = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+        REQUIRE(at < names.size());
+        const ball exact = constant_value<ball>::of(as_exact_real(read_exact(expected)));
+        const ball found = constant_value<ball>::of(as_exact_real(read_exact(states[0][at].text)));
+        CHECK(certainly_less(abs(found - exact), abs(exact) * pow(ball(10), -44)));
+    }
+}
+
+TEST_CASE("box: a planned step leaves out no more than its bits") {
+    // y = 1/(1 - t): all a_n are 1, and what follows N is t^(N + 1)/(1 - t).
+    constexpr long bits = 400;
+    const tape geometric = tape::about_points(system_of("y' = y^2; y(0) = 1"));
+    step_planner planner(geometric, bits);
+    for (const double way : {0.01, 0.2, 0.9, 7., HUGE_VAL}) {
+        const auto plan = planner.plan(ball(0), {ball(1)}, way);
+        REQUIRE(plan);
+        CAPTURE(way, plan->log_of_length, plan->order);
+        const double length = std::exp2(plan->log_of_length);
+        CHECK((plan->order + 1) * plan->log_of_length - std::log2(1 - length) < -bits);
+        CHECK((plan->order + 1) * plan->log_of_length - std::log2(1 - length) > -1.5 * bits);
+        for (int n = 0; n < plan->order; ++n) {
+            const auto left = static_cast<double>(plan->digits[static_cast<std::size_t>(n)]) * std::log2(10.);
+            CHECK(left > bits + n * plan->log_of_length);
+            CHECK(left < std::max(bits + n * plan->log_of_length, 0.) + 50);
+        }
+        const double steps = way / length;
+        CHECK((!(steps < 50) || std::abs(steps - std::round(steps)) < steps / 1000));
+    }
+    CHECK_FALSE(planner.plan(ball(0), {ball(0)}, 1));
 }
 
 TEST_CASE("box: an unknown that is exactly 0 stays so beside others") {

@@ -1,9 +1,12 @@
 #include "box_rule.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "../../algebra/dense_matrix.hpp"
 #include "../../expansion/set_values.hpp"
+#include "libration/expansion/coefficient_digits.hpp"
 #include "libration/expansion/step_pieces.hpp"
 #include "libration/integration/step_limits.hpp"
 #include "libration/integration/taylor/taylor_march.hpp"
@@ -23,6 +26,8 @@ constexpr int most_trials = 4;
 constexpr unsigned long growth_of_step = 8;
 // How often a step is halved on which no r < R is found.
 constexpr int most_halvings_of_step = 12;
+// log2 of the usual length of a step over the radius of its series, 1/e^2.
+constexpr double usual_part_of_radius = -3;
 
 // Removes unknowns whose right-hand side does not vanish from those that stay 0. Returns whether there were any.
 bool leaves_zero(std::vector<bool>& zero, const std::vector<bool>& vanishing) {
@@ -74,7 +79,7 @@ next_step box_rule::next(const flow_state& from, const ball& rest) {
     for (std::size_t i = 0; i < lifted_.given; ++i) {
         radii_.push_back(from.set.reach(i));
     }
-    make_expansion();
+    make_expansion(from, rest);
     const auto end_without_step = [&] {
         return next_step{{}, scales_.wide(2 * widest_set) ? stop::precision : stop::step_too_small};
     };
@@ -90,7 +95,8 @@ next_step box_rule::next(const flow_state& from, const ball& rest) {
     for (const long each : scales_.exponents()) {
         weights_.push_back(magnitude::of(1, each));
     }
-    const double wanted = scales_.longest(*tail_, now_->bits, usual_bits_below_set);
+    double wanted = scales_.longest(visible_tail(), now_->bits, usual_bits_below_set);
+    wanted = plan_ ? std::min(wanted, plan_->log_of_length) : wanted;
     const int direction = arb_is_negative(rest.handle()) != 0 ? -1 : 1;
     // Of 16 bits, so that the ends of the pieces are exact.
     magnitude length = power_of_two(log_of(std::min(
@@ -132,16 +138,54 @@ bool box_rule::loses_a_decaying_unknown(const std::vector<ball>& centre) {
     return loses;
 }
 
-void box_rule::make_expansion() {
+void box_rule::make_expansion(const flow_state& from, const ball& rest) {
     const long usual = run_bits::usual_error_bits;
-    const long bits =
+    const long needed =
         std::clamp(scales_.accuracy(bits_.bits) + usual_bits_below_set, usual, std::max(bits_.bits, usual));
-    if (!now_ || bits > now_->bits || now_->bits > bits + bits / 8 + 16) {
-        const long some_more = std::min(bits_.bits, bits + bits / 16);
-        const precision_scope scope(decimal_digits(some_more));
-        const int order = taylor_order(static_cast<int>(some_more)) + 2 + route_.more_terms;
-        now_.reset(new expansion{some_more, taylor_expansion<ball>(tape_, order, route_.product)});
+    const bool keeps = now_ && needed <= now_->bits && now_->bits <= needed + needed / 8 + 16;
+    const long bits = keeps ? now_->bits : std::min(bits_.bits, needed + needed / 16);
+    plan_step(from, rest, bits);
+    const precision_scope scope(decimal_digits(bits));
+    const int order = plan_ ? plan_->order : taylor_order(static_cast<int>(bits)) + 2;
+    const int longest = order + route_.more_terms;
+    if (!keeps || now_->of_centre.order() < longest || now_->of_centre.order() > longest + longest / 8) {
+        now_.reset();  // first, for its memory
+        now_.reset(new expansion{bits, taylor_expansion<ball>(tape_, longest, route_.product)});
     }
+}
+
+void box_rule::plan_step(const flow_state& from, const ball& rest, long bits) {
+    plan_.reset();
+    if (bits < least_bits_of_plan) {
+        return;
+    }
+    if (!planner_ || planner_->bits() != bits) {
+        planner_ = std::make_unique<step_planner>(tape_, bits);
+    }
+    const precision_scope few(decimal_digits(bits_of_slopes));
+    const auto all = lifted_values(lifted_, from.time, from.set.centre);
+    if (all_finite(all)) {
+        plan_ = planner_->plan(from.time, all, std::abs(as_double(rest)));
+    }
+}
+
+// The tail as far as it shows next to the radii of the coefficients at the usual length of a step: an unknown that is much
+// smaller than those that it is a difference of has no more digits than they have. For the choice of the length alone.
+tail_bound box_rule::visible_tail() const {
+    const double distance = log_of(tail_->radius) + usual_part_of_radius;
+    tail_bound visible = *tail_;
+    for (std::size_t i = 0; i < lifted_.given; ++i) {
+        const ball* const a = now_->of_centre.coefficients(static_cast<int>(i));
+        double rounding = nothing;
+        for (int n = 0; n <= now_->of_centre.order(); ++n) {
+            rounding = std::max(rounding, log_of(magnitude::radius_of(a[n])) + n * distance);
+        }
+        const double hidden = rounding - (scales_[i].size - static_cast<double>(now_->bits));
+        if (hidden > 0 && std::isfinite(hidden)) {
+            visible.error[i] = visible.error[i].shifted(-static_cast<long>(hidden));
+        }
+    }
+    return visible;
 }
 
 // Over which the radii grow by no more than a few bits, by the slopes at the beginning; infinite if there are none.
@@ -166,6 +210,7 @@ bool box_rule::expand_centre(const flow_state& from) {
     if (!all_finite(all)) {
         return false;
     }
+    const coefficient_digits fewer(plan_ ? plan_->digits : std::vector<long>());
     now_->of_centre.about(from.time, as_state(all));
     tail_ = tail_near(tape_, now_->of_centre, from.time, estimated_radius(now_->of_centre, all.size()));
     return tail_.has_value();

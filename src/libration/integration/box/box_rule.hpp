@@ -11,6 +11,7 @@
 #include "libration/integration/rule.hpp"
 #include "libration/integration/taylor/step_length.hpp"
 #include "slope_bounds.hpp"
+#include "step_plan.hpp"
 
 namespace libration::ode {
 
@@ -27,7 +28,7 @@ namespace libration::ode {
 /// few r(0) in the scales of the unknowns, or twice the r that was found with a smaller R.
 ///
 /// One series system per step instead of 1 + n of theorem V, for log2 of the growth of r more bits: for many unknowns.
-/// Steps, precision and scales are chosen as in taylor_rule.
+/// Precision and scales are chosen as in taylor_rule, and the steps too unless they are planned (step_plan).
 class box_rule : public step_rule {
 public:
     /// The form is that of the system, with the same given unknowns.
@@ -58,10 +59,12 @@ private:
         int direction;
     };
 
-    void make_expansion();
+    void make_expansion(const flow_state& from, const ball& rest);
+    void plan_step(const flow_state& from, const ball& rest, long bits);
     bool loses_a_decaying_unknown(const std::vector<ball>& centre);
     bool expand_centre(const flow_state& from);
     std::shared_ptr<box_series> made_series() const;
+    tail_bound visible_tail() const;
     magnitude length_by_slopes(const flow_state& from, int direction);
     bool add_pieces(box_series& series, const ball& time, const magnitude& length, int direction);
     std::vector<magnitude> first_tube(const std::vector<magnitude>& start) const;
@@ -75,6 +78,8 @@ private:
     proof_route route_;
     unknown_scales scales_;
     std::unique_ptr<expansion> now_;
+    std::unique_ptr<step_planner> planner_;
+    std::optional<planned_step> plan_;
     ball origin_;
     long steps_ = 0;
     double growth_ = 0;
