@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -65,6 +66,9 @@ inline norm_at<mpfr> norm_of(const solved_problem& of, const function_of_time& m
     norm_at<mpfr> largest{mpfr(0), mpfr(0)};
     for (std::size_t i = 0; i < of.times.size(); ++i) {
         const mpfr off = abs(mpfr(method(of.times[i]) - of.truth[i]));
+        if (mpfr_number_p(handle(off)) == 0) {
+            return {std::numeric_limits<double>::infinity(), of.times[i]};
+        }
         if (!(off <= largest.norm)) {
             largest = {off, of.times[i]};
         }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "error_norm_at_infinity.hpp"
 #include "libration/digits/proved_decimals.hpp"
 #include "libration/pendulum/error_norm.hpp"
 #include "libration/pendulum/proved_norm.hpp"
@@ -212,24 +213,6 @@ namespace of_equation {
 
 namespace {
 
-const column_list<norm_row>& own_columns() {
-    static const auto all =
-        columns_named("order,method,norm,time_of_maximum,scalar,rigour,log10_norm,unknown", columns());
-    return all;
-}
-
-struct question {
-    shared_equation_sweep sweep;
-    std::vector<ode::number> times;
-    std::vector<exact> typed_times;
-    scalar_spec scalar;
-
-    norm_row row(int order, approximation method, int unknown) const {
-        return {.order = order, .method = name_of(method), .scalar = scalar, .unknown = sweep->name_of(unknown)};
-    }
-    cell time(std::size_t place) const { return number_cell(decimal_of(typed_times[place], 50)); }
-};
-
 norm_row row_of(const question& asked, const found_norm& found) {
     const precision_scope scope(asked.scalar.digits + 20);
     norm_row row = asked.row(found.order, found.method, found.unknown);
@@ -273,15 +256,18 @@ table rows_at(const question& asked, std::size_t i, const std::vector<int>& orde
     } else {
         add(norms_of(norms, orders, asked.scalar));
     }
-    return make_table(own_columns(), rows);
+    return make_table(columns_of_equation(), rows);
 }
 
 study_plan plan(const study_request& request) {
+    if (!request.equation->limits.empty()) {
+        return at_infinity::plan(request);
+    }
     const question asked{equation_sweep_of(request), times_of(request, 2), request.values.of("time"),
                          request.scalar.value_or(read_scalar("mpfr:20"))};
     const auto orders = orders_from(request, 0, "");
     return with_radii(
-        plan_by_numbers({head_of(*asked.sweep, "", asked.scalar, own_columns())}, asked.sweep, "order", orders,
+        plan_by_numbers({head_of(*asked.sweep, "", asked.scalar, columns_of_equation())}, asked.sweep, "order", orders,
                         [asked](std::size_t i, const std::vector<int>& chosen) {
                             return std::vector<table>{rows_at(asked, i, chosen)};
                         }),
@@ -343,13 +329,17 @@ const study& error_norm() {
                 "Behind the marks the line of the rate reach/R with the "
                 "radius that the coefficients show. The solution is marched by Taylor series in two precisions; with "
                 "--scalar ball:D it is enclosed, and the norms of series and approximants are proved.",
-            .parameters = {required_times("the interval, as times at which the error is taken"),
+            .parameters = {required_times(
+                               "the interval, as times at which the error is taken; with conditions at "
+                               "infinity in the text not required: up to where the solution has come to them"),
                            {"--orders", "5:60:12", "N, last power of the list"},
                            {"--scalar", "mpfr:20", "arithmetic of the approximation"}},
             .example = {"blasius", {}},
             .example_words = {{"--times", "0:3:61"}, {"--orders", "5:60:12"}},
             .quick = {{"--times", "0:3:7"}, {"--orders", "6,12"}},
-            .seconds = 1}};
+            .seconds = 1,
+            .at_infinity = true,
+            .remarks = at_infinity::remarks}};
     return result;
 }
 

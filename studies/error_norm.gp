@@ -6,22 +6,27 @@
 if (equation ne '') {
     load scripts.'/shared/equation.gp'
     eval equation_panels('order')
-    radii = table_of('_radius')
     eval first_cell('scalar', main, 'scalar', '1')
-    eval first_cell('reach', radii, 'reach', '1')
+    eval count_of('far', main, "is('method', 'asymptotic')")
     title_text = 'Error of the series of '.called.' and of its approximants'
-    below_text = 'the largest error at times up to '.tidy(reach).' from the start, '.in_arithmetic(scalar)
+    below_text = 'the largest error, '.in_arithmetic(scalar)
+    if (far == 0) {
+        radii = table_of('_radius')
+        eval first_cell('reach', radii, 'reach', '1')
+        below_text = 'the largest error at times up to '.tidy(reach).' from the start, '.in_arithmetic(scalar)
+    }
     kind_by = 'method'; kinds = 'series pade endpoint'
     eval count_of('mapped', main, "is('method', 'euler') && has('log10_norm')")
     if (mapped > 0) { kinds = kinds.' euler gauge' }
+    if (far > 0) { kinds = 'series pade asymptotic' }
     kind_name(m) = m eq 'pade' ? 'Padé [N/2, N/2]' : m eq 'euler' ? "Euler's variable" : m eq 'gauge' ? 'gauge function' : approximation_name(m)
     hue(h, k) = cases < 2 ? shade[word('4 5 3 2 6', k) + 0] : tone(h)
     prepare = "y_name = 'log_{10} (max |error| / unit of '.this.')'"
     x = 'order'; x_name = 'order N'; y_together = 'log10_norm'
-    layers = rate_lines(radii, 'lw 1 dt 3 lc rgb hue(h, 1)') \
-        .', '.curves('log10_norm', '1', 'linespoints lw 1.8 dt k pt mark[k] ps 0.7 lc rgb hue(h, k)')
+    layers = (far > 0 ? '' : rate_lines(radii, 'lw 1 dt 3 lc rgb hue(h, 1)').', ') \
+        .curves('log10_norm', '1', 'linespoints lw 1.8 dt k pt mark[k] ps 0.7 lc rgb hue(h, k)')
     key = key_of_kinds('linespoints lw 1.8 dt k pt mark[k] ps 0.7 lc rgb cases < 2 ? hue(1, k) : soft') \
-        .', '.key_entry('lines lw 1 dt 3 lc rgb soft', "'rate (reach/R)^N'").', '.key_of_cases('lines lw 2.4 lc rgb tone(h)')
+        .(far > 0 ? '' : ', '.key_entry('lines lw 1 dt 3 lc rgb soft', "'rate (reach/R)^N'")).', '.key_of_cases('lines lw 2.4 lc rgb tone(h)')
     entries = shown_in_key(cases) + words(kinds) + 1; letters = cases < 2 ? 16 : 20
     load scripts.'/shared/panels.gp'
     exit

@@ -6,6 +6,7 @@
 
 #include "shared/equation_plan.hpp"
 #include "shared/sweep_columns.hpp"
+#include "shared/unknown_on_interval.hpp"
 
 namespace libration::studies::error_norm_study {
 
@@ -70,5 +71,25 @@ inline const column_list<norm_row>& columns_of_pendulum() {
                        {"rigour", "proved | two-method: confirmed by the sum over separatrix solutions | heuristic"}}));
     return all;
 }
+
+/// Those of an equation.
+inline const column_list<norm_row>& columns_of_equation() {
+    static const auto all =
+        columns_named("order,method,norm,time_of_maximum,scalar,rigour,log10_norm,unknown", columns());
+    return all;
+}
+
+/// The norms of an equation that are requested.
+struct question {
+    shared_equation_sweep sweep;
+    std::vector<ode::number> times;
+    std::vector<exact> typed_times;
+    scalar_spec scalar;
+
+    norm_row row(int order, approximation method, int unknown) const {
+        return {.order = order, .method = name_of(method), .scalar = scalar, .unknown = sweep->name_of(unknown)};
+    }
+    cell time(std::size_t place) const { return number_cell(decimal_of(typed_times[place], 50)); }
+};
 
 }  // namespace libration::studies::error_norm_study

@@ -21,6 +21,8 @@ public:
     std::size_t size() const { return size_; }
     /// The system of one of them. Throws error if it has no solution.
     ode::explicit_system system(std::size_t i) const { return of_->at(values(i)); }
+    /// The problem of one of them with the conditions at infinity of the text.
+    limit_problem at_infinity(std::size_t i) const { return of_->at_infinity(values(i)); }
     cell_inputs inputs(std::size_t i) const;
     /// The names of the axes, followed by additional ones.
     std::vector<std::string> axes(const std::vector<std::string>& more = {}) const;

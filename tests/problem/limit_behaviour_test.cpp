@@ -68,8 +68,45 @@ TEST_CASE("behaviours of catalogue problems come out of their conditions", "[pro
     CHECK(near(plate.line[1], mpfr(1), "1e-40"));
 }
 
+// 6/(t + sqrt 6)^2 solves y'' = y^2: the approximant with the exponent -2/N is exact.
+TEST_CASE("a decay like a power has the exponent of its leading term", "[problem][proved]") {
+    const precision_scope scope(60);
+    const auto square = behaviour_of("y'' = y^2; y(0) = 1; y(inf) = 0", "y'(0)", "-0.8", 20);
+    CHECK(square.form == far_form::algebraic);
+    CHECK(square.rate == 2);
+    CHECK(near(value_at(square, 5, mpfr(3)), mpfr(6 / pow(mpfr(3 + sqrt(mpfr(6))), 2)), "1e-40"));
+    // Thomas and Fermi's atom in powers of sqrt t: 1 + B t + 4/3 t^(3/2) + 2/5 B t^(5/2) + t^3/3 + 3/70 B^2 t^(7/2) + ..,
+    // the next term being 2/15 B t^4 = 2e-17 [Baker's series; B = -1.588071022611375312718684509].
+    const auto atom = behaviour_of("y'' = y^(3/2)/sqrt(t); y(0) = 1; y(inf) = 0", "y'(0)", "-1.6", 20);
+    CHECK(atom.root == 2);
+    CHECK(atom.rate == 3);
+    const mpfr b("-1.588071022611375312718684509");
+    const mpfr series =
+        1 + b * mpfr("1e-4") + mpfr("4e-6") / 3 + b * mpfr("4e-11") + mpfr("1e-12") / 3 + b * b * mpfr("3e-14") / 70;
+    CHECK(near(value_at(atom, 12, mpfr("1e-4")), series, "1e-15"));
+}
+
+// Ai(1)/Ai(0): 1/Ai has its first pole at t = -2.338, so that N = 60 leaves 2.338^-60 = 7e-23.
+TEST_CASE("a linear decay has the form c/(1 + sum A_n t^n)", "[problem][proved]") {
+    const precision_scope scope(60);
+    const auto airy = behaviour_of("y'' = t*y; y(0) = 1; y(inf) = 0", "y'(0)", "-0.7", 20);
+    CHECK(airy.form == far_form::power);
+    CHECK(airy.line[0] == 0);
+    CHECK(
+        near(value_at(airy, 60, mpfr(1)),
+             mpfr(mpfr("0.13529241631288141552414742351546630617") / mpfr("0.35502805388781723926006318600418317640")),
+             "1e-20"));
+}
+
+TEST_CASE("a behaviour has its digits in a scope of fewer", "[problem][proved]") {
+    const precision_scope scope(15);
+    const auto plate = behaviour_of("f''' + f*f''/2 = 0; f(0) = 0; f'(0) = 0; f'(inf) = 1", "f''(0)", "0.33", 15);
+    CHECK(near(plate.line[0], mpfr("-1.720787657520502"), "1e-14"));
+}
+
 TEST_CASE("conditions without one rate have no exponential approximant", "[problem][proved]") {
-    CHECK_THROWS_WITH(behaviour_of("y'' = y^3; y(0) = 1; y(inf) = 0", "y'(0)", "-0.7", 10), Catch::Contains("rate"));
+    CHECK_THROWS_WITH(behaviour_of("u'' + 2*u'/t - u + u^3 = 0; u'(0) = 0; u(inf) = 0", "u(0)", "4", 10),
+                      Catch::Contains("rate"));
     CHECK_THROWS_WITH(behaviour_of("u'' + u*(1-u)*(u-1/4) + c*u' = 0; u(-inf) = 1; u(inf) = 0", "c", "0.35", 10),
                       Catch::Contains("-inf"));
 }

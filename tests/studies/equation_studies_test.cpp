@@ -2,6 +2,7 @@
 // inputs of a cell alone. A new one is in here by itself.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -159,6 +160,95 @@ TEST_CASE("approximants over b meet the wall shears of Falkner and Skan in print
     }
     CHECK_THROWS_WITH(rows_about("approximants", {"lorenz", {"x(0)=1,2"}}, words),
                       Catch::Contains("no known asymptotic behaviour"));
+}
+
+namespace {
+
+// The norms of asymptotic approximants, as printed, and the lines about them.
+struct norms_with_remarks {
+    std::vector<double> norms;
+    std::vector<std::string> rigour, remarks;
+};
+
+norms_with_remarks asymptotic_norms(const equation_words& asked, const study_words& words) {
+    const auto order = order_asked("study", "error_norm", asked, words, 2);
+    const auto tables = tables_of(order);
+    norms_with_remarks found{{}, {}, order.what->remarks(tables)};
+    for (const auto& row : rows_of_table(tables.front())) {
+        if (row.at("method") == "asymptotic") {
+            found.norms.push_back(row.at("norm").empty() ? 0 : std::stod(row.at("norm")));
+            found.rigour.push_back(row.at("rigour"));
+        }
+    }
+    return found;
+}
+
+const study_words five_times{{"--times", "1/2,1,3/2,2,4"}, {"--orders", "4,8,16"}};
+
+}  // namespace
+
+// tanh t = z/(2 - z) in z = 1 - exp(-2 t): the approximant of order N is wrong by 2^-N z^(N+1) (1 - z)/(2 - z).
+TEST_CASE("norms at infinity are those of closed forms, and the best order is named", "[studies][equation]") {
+    const auto kink = asymptotic_norms({"u'' = 2*u*(u^2-1); u(0) = 0; u(inf) = 1", {}}, five_times);
+    REQUIRE(kink.norms.size() == 3);
+    for (std::size_t i = 0; i < kink.norms.size(); ++i) {
+        const int n = 4 << i;
+        double largest = 0;
+        for (const double t : {0.5, 1., 1.5, 2., 4.}) {
+            const double z = -std::expm1(-2 * t);
+            largest = std::max(largest, std::pow(2., -n) * std::pow(z, n + 1) * (1 - z) / (2 - z));
+        }
+        CHECK(kink.norms[i] == Approx(largest).epsilon(1e-10));  // 12 digits printed, a few roundings of double
+        CHECK(kink.rigour[i] == "two-method");
+    }
+    REQUIRE(kink.remarks.size() == 1);
+    CHECK_THAT(kink.remarks.front(), Catch::Contains("N = 16 is the best") && !Catch::Contains("warning"));
+}
+
+// y = 1/sinh(t + a), 1/sinh a = 3: with q = exp(-a), z = 1 - exp(-t), y = 1/(1 - q + q z) - 1/(1 + q - q z), whose
+// radius (1 - q)/q = 0.39 is less than 1.
+TEST_CASE("approximants whose norms grow with the order are warned of", "[studies][equation]") {
+    const auto far = asymptotic_norms({"y'' = y + 2*y^3; y(0) = 3; y(inf) = 0", {"y'(0)=-9"}}, five_times);
+    const double q = std::sqrt(10.) / 3 - 1. / 3;
+    REQUIRE(far.norms.size() == 3);
+    for (std::size_t i = 0; i < far.norms.size(); ++i) {
+        double largest = 0;
+        for (const double t : {0.5, 1., 1.5, 2., 4.}) {
+            const double z = -std::expm1(-t);
+            double sum = 0, left = 0;
+            for (int k = 0; k <= 4 << i; ++k) {
+                const double c = std::pow(-q / (1 - q), k) / (1 - q) - std::pow(q / (1 + q), k) / (1 + q);
+                sum += c * std::pow(z, k);
+                left -= c;
+            }
+            sum += left * std::pow(z, (4 << i) + 1);
+            const double truth = 1 / (1 - q + q * z) - 1 / (1 + q - q * z);
+            largest = std::max(largest, std::fabs(sum - truth));
+        }
+        CHECK(far.norms[i] == Approx(largest).epsilon(1e-9));  // the sums lose 6 digits of 16 at N = 16
+    }
+    REQUIRE(far.remarks.size() == 1);
+    CHECK_THAT(far.remarks.front(), Catch::Contains("N = 4 is the best") && Catch::Contains("warning"));
+}
+
+// f = 1 - exp(-t) has no error.
+TEST_CASE("an exact approximant at infinity is not told from the solution", "[studies][equation]") {
+    const auto sheet = asymptotic_norms({"f''' + f*f'' - f'^2 = 0; f(0) = 0; f'(0) = 1; f'(inf) = 0", {}}, five_times);
+    CHECK(sheet.rigour == std::vector<std::string>(3, "not decided"));
+}
+
+TEST_CASE("conditions at infinity are refused where a study has no answer", "[studies][equation]") {
+    const std::string problem = "y'' = y - y^3; y'(0) = 0; y(inf) = 0";
+    CHECK_THROWS_WITH(order_asked("study", "terms", equation_words{problem, {}}, {{"--times", "0:1:3"}}, 1),
+                      Catch::Contains("conditions at infinity") && Catch::Contains("error_norm"));
+    CHECK_THROWS_WITH(
+        tables_of(order_asked("study", "error_norm", equation_words{problem, {}}, {{"--scalar", "double"}}, 1)),
+        Catch::Contains("--scalar") && Catch::Contains("mpfr"));
+    CHECK_THROWS_WITH(
+        tables_of(order_asked("study", "error_norm",
+                              equation_words{"u'' + c*u' + u*(1-u)*(u-1/4) = 0; u(-inf) = 1; u(inf) = 0", {}},
+                              {{"--orders", "4"}}, 1)),
+        Catch::Contains("-inf"));
 }
 
 // y = 1/(1 + e^-t) = 1/2 + t/4 - t^3/48 + ...: partial sums, [2/2] = (1/2 + t/4 + t^2/24)/(1 + t^2/12), and the cubic

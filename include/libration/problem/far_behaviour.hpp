@@ -17,6 +17,7 @@ namespace libration {
 /// The forms of approximant/asymptotic/.
 enum class far_form {
     power,                   ///< line + c/(1 + sum A_n t^n): power_approximant
+    algebraic,               ///< c (1 + sum A_n s^n)^(-rate root/N), s^root = t: power_approximant
     exponential,             ///< limit + sum A_j e^(-j rate t): exponential_approximant
     reciprocal_exponential,  ///< limit/(1 + sum A_j e^(-j rate t))
     damped,                  ///< e^(-rate t) (1 + t)^-1/2 P/Q: damped_pade
@@ -31,9 +32,10 @@ struct far_behaviour {
     far_form form;
     ode::explicit_system system;      ///< its free initial value is the one that reaches the asymptotic regime
     series::power_series<mpfr> line;  ///< the asymptote of the unknown, of degree 0 or 1
-    mpfr rate;                        ///< of the exponential, per unit of t; 0 for power and branch
-    mpfr end;  ///< where the unknown is within 10^-digits of its asymptotic behaviour; of a branch the branch point
+    mpfr rate;  ///< of the exponential, per unit of t; m of a decay like t^-m; 0 for power and branch
+    mpfr end;   ///< where the unknown is within 10^-digits of its asymptotic behaviour; of a branch the branch point
     std::map<std::string, mpfr> values;  ///< related numbers, by the names of the literature
+    int root = 1;                        ///< the series is in powers of s, s^root = t
 
     /// Of the unknown in the system.
     int index() const;

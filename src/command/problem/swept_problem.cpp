@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "change_words.hpp"
+#include "libration/equation/text/limit_condition.hpp"
 #include "libration/equation/text/parse.hpp"
+#include "libration/problem/limit_text.hpp"
 #include "problem_options.hpp"
 #include "text/input_error.hpp"
 
@@ -110,6 +112,20 @@ ode::explicit_system swept_problem::at(const std::vector<exact>& values) const {
     return ode::explicit_system(changed);
 }
 
+limit_problem swept_problem::at_infinity(const std::vector<exact>& values) const {
+    std::vector<std::string> unknowns = determined;
+    std::vector<std::string> changes;
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        const auto open = std::ranges::find(unknowns, sets[i].name);
+        (open == unknowns.end() ? changes.emplace_back() : *open) = sets[i].name + " = " + values[i].text;
+    }
+    limit_problem result = limit_problem_of(text, unknowns);
+    for (const std::string& each : changes) {
+        result.of.set(each);
+    }
+    return result;
+}
+
 std::string swept_problem::command() const {
     std::string words = "--problem " + quoted_word(said);
     for (const set_axis& each : sets) {
@@ -122,7 +138,14 @@ shared_problem sweep_problem(const std::string& said, const std::vector<std::str
     problem_source named = problem_named(said);
     auto result = std::make_shared<swept_problem>();
     result->said = said;
-    result->system = naming_option("--problem", [&] { return ode::parse(named.text); });
+    naming_option("--problem", [&] {
+        const auto separated = ode::with_limits_separated(named.text);
+        result->system = ode::parse(separated.problem);
+        result->limits = separated.limits;
+        if (!result->limits.empty()) {
+            result->determined = open_numbers(result->system);
+        }
+    });
     result->name = std::move(named.name);
     result->text = std::move(named.text);
     std::set<std::string> names;
@@ -136,7 +159,7 @@ shared_problem sweep_problem(const std::string& said, const std::vector<std::str
         result->sets.push_back(std::move(each));
     }
     put_in_order(result->sets, result->system);
-    if (sets.empty()) {
+    if (sets.empty() && result->limits.empty()) {
         naming_option("--problem", [&] { return ode::explicit_system(result->system); });
     }
     result->axes = axes_of(*result);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "libration/equation/explicit_system.hpp"
+#include "libration/problem/limit_solution.hpp"
 #include "libration/problem/problem_family.hpp"
 
 namespace libration {
@@ -27,12 +28,16 @@ struct swept_problem {
     std::string name;  ///< as in the names of files
     std::string text;
     ode::equation_system system;
-    std::vector<set_axis> sets;  ///< parameters in the order of the text, then initial values
-    problem_family axes;         ///< of the sets, of times and of unknowns
+    std::vector<set_axis> sets;           ///< parameters in the order of the text, then initial values
+    std::vector<std::string> limits;      ///< conditions at infinity, which `system` does not contain
+    std::vector<std::string> determined;  ///< the numbers that the text leaves open, if there are such conditions
+    problem_family axes;                  ///< of the sets, of times and of unknowns
 
     /// The system with these values, one for each of the sets, solved for its highest derivatives. Throws error if
     /// there is no solution.
     ode::explicit_system at(const std::vector<exact>& values) const;
+    /// The problem with these values and conditions at infinity; those of `determined` numbers are first guesses.
+    limit_problem at_infinity(const std::vector<exact>& values) const;
     /// "--problem sir --set r=0.01:0.05:9": how a command line specifies it.
     std::string command() const;
 };

@@ -94,6 +94,7 @@ std::shared_ptr<const study> study_about(const study& what, const shared_problem
     result->script = what.name;
     result->command = what.name + " " + equation->command();
     result->equation = equation;
+    result->remarks = form.remarks;
     return result;
 }
 
@@ -112,7 +113,13 @@ study_order order_asked(const std::string& option, const std::string& name, cons
         return order_of(what, all, jobs);
     }
     require_any_equation(what, *asked);
-    auto about = study_about(what, sweep_problem(asked->problem, asked->sets));
+    const auto equation = sweep_problem(asked->problem, asked->sets);
+    if (!equation->limits.empty() && !what.any_equation->at_infinity) {
+        throw input_error("--problem", asked->problem,
+                          "has conditions at infinity, which " + what.name + " does not support",
+                          "leave them out, or use the study error_norm");
+    }
+    auto about = study_about(what, equation);
     study_order order = order_of(*about, words, jobs);
     order.made = std::move(about);
     return order;

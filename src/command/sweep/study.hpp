@@ -62,6 +62,9 @@ struct equation_form {
     study_words example_words = {};                        ///< with these parameters
     study_words quick;                                     ///< the same, for a run of at most one second
     double seconds;                                        ///< of the example, on two cores
+    bool at_infinity = false;                              ///< whether the text may have conditions at infinity
+    /// Lines about the tables, for stderr. Empty: none.
+    std::function<std::vector<std::string>(const std::vector<study_table>&)> remarks = {};
 };
 
 /// A file: its name and its content.
@@ -101,6 +104,8 @@ struct study {
     /// Further files of its directory, made from its tables; their names differ from those of tables and figures.
     /// Empty: none.
     std::function<std::vector<text_file>(const std::vector<study_table>&)> files = {};
+    /// equation_form::remarks.
+    std::function<std::vector<std::string>(const std::vector<study_table>&)> remarks = {};
 
     /// Whether it lacks its own problem and requires --problem.
     bool needs_equation() const { return !plan && any_equation; }

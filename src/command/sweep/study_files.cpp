@@ -252,6 +252,11 @@ failures_found make_tables(const study_order& order, const study_cells& of, cell
             }
         }
     }
+    if (what.remarks) {
+        for (const std::string& each : what.remarks(gathered.tables)) {
+            say_line(each);
+        }
+    }
     std::exception_ptr undrawn;
     try {
         if (!gathered.too_long) {

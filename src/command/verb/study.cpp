@@ -71,6 +71,11 @@ failures_found print_tables(const study_order& order) {
     }
     const table all = under_one_header(answers.tables, left_out);
     write_to_stdout(to_csv(order.columns ? with_named_columns(all, *order.columns) : all));
+    if (order.what->remarks) {
+        for (const std::string& each : order.what->remarks(answers.tables)) {
+            say_line(each);
+        }
+    }
     if (!left_out.empty()) {
         fmt::print(stderr, "libration: {} makes more tables ({}): see them with --out DIR\n", order.what->name,
                    left_out);

@@ -32,6 +32,12 @@ std::optional<std::function<mpfr(const mpfr&)>> asymptotic_approximant(const far
     switch (far.form) {
         case far_form::power:
             return [of = power_approximant<mpfr>(f, far.line, mpfr(-1))](const mpfr& t) { return of.value(t); };
+        case far_form::algebraic: {
+            const mpfr power = -far.rate * far.root / f.order();
+            return [of = power_approximant<mpfr>(f, far.line, power), root = far.root](const mpfr& t) {
+                return of.value(root == 1 ? t : mpfr(pow(t, mpfr(mpfr(1) / root))));
+            };
+        }
         case far_form::exponential:
             return [of = exponential_approximant<mpfr>(f, limit, far.rate)](const mpfr& t) { return of.value(t); };
         case far_form::reciprocal_exponential: {
