@@ -27,7 +27,7 @@ constexpr int most_trials = 4;
 constexpr unsigned long growth_of_step = 8;
 // How often a step is halved on which no r < R is found.
 constexpr int most_halvings_of_step = 12;
-// A radius of theorem T between those that are tried anyway is worth its time if it makes a step of many bits longer.
+// Radii of theorem T between those that are tried anyway: the time for them is small next to that of a step of many bits.
 constexpr std::array<unsigned long, 3> eighths_of_wider_radius{13, 11, 9};
 // log2 of the usual length of a step over the radius of its series, 1/e^2.
 constexpr double usual_part_of_radius = -3;
