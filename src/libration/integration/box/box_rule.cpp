@@ -1,6 +1,7 @@
 #include "box_rule.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -26,6 +27,8 @@ constexpr int most_trials = 4;
 constexpr unsigned long growth_of_step = 8;
 // How often a step is halved on which no r < R is found.
 constexpr int most_halvings_of_step = 12;
+// Radii of theorem T between those that are tried anyway: the time for them is small next to that of a step of many bits.
+constexpr std::array<unsigned long, 3> eighths_of_wider_radius{13, 11, 9};
 // log2 of the usual length of a step over the radius of its series, 1/e^2.
 constexpr double usual_part_of_radius = -3;
 
@@ -212,7 +215,20 @@ bool box_rule::expand_centre(const flow_state& from) {
     }
     const coefficient_digits fewer(plan_ ? plan_->digits : std::vector<long>());
     now_->of_centre.about(from.time, as_state(all));
-    tail_ = tail_near(tape_, now_->of_centre, from.time, estimated_radius(now_->of_centre, all.size()));
+    const double log_of_radius = estimated_radius(now_->of_centre, all.size());
+    if (!plan_ || log_of_radius == no_radius) {
+        tail_ = tail_near(tape_, now_->of_centre, from.time, log_of_radius);
+        return tail_.has_value();
+    }
+    const series_sizes sizes = sizes_of(tape_, now_->of_centre, from.time, now_->of_centre.order());
+    const auto bound_at = [&](const magnitude& radius) { return bounded_tail(tape_, sizes, radius); };
+    tail_ = first_tail(log_of_radius, bound_at);
+    for (std::size_t i = 0; tail_ && i < eighths_of_wider_radius.size(); ++i) {
+        if (auto wider = bound_at(tail_->radius * magnitude::of(eighths_of_wider_radius[i], -3))) {
+            tail_ = std::move(wider);
+            break;
+        }
+    }
     return tail_.has_value();
 }
 

@@ -25,7 +25,7 @@ constexpr int most_equal_steps = 64;
 // The cost of a series of order N is about N^p: squared for few bits, less with products in blocks.
 double exponent_of_cost(double bits) { return std::clamp(2.3 - bits / 2048, 1.5, 2.0); }
 
-int longest_order(long bits) { return 2 * taylor_order(static_cast<int>(bits)); }
+int longest_order(long bits) { return 3 * taylor_order(static_cast<int>(bits)) / 2; }
 
 double log_of_size(long double a) {
     return a == 0 ? -std::numeric_limits<double>::infinity() : static_cast<double>(std::ilogb(a) + 1);
