@@ -1526,6 +1526,22 @@ FAULTS = [
         ("a callback of the law that is called no more", "law_for(system, of_, asked, work_.watch())", "law_for(system, of_, asked, {})"),
     ),
     *in_file(
+        "src/libration/problem/far_behaviour.cpp", ["problem/limit_behaviour_test.cpp"],
+        ("the time for its root in a decay like a power", "of.value(root == 1 ? t : mpfr(pow(t, mpfr(mpfr(1) / root))))", "of.value(t)"),
+        ("an exponent of a decay like a power without its N", "-far.rate * far.root / f.order()", "-far.rate * far.root"),
+    ),
+    *in_file(
+        "src/libration/problem/limit_behaviour.cpp", ["problem/limit_behaviour_test.cpp"],
+        ("a far behaviour in the precision of the caller", "const precision_scope scope(2 * digits + 2 * digits_beyond_twice);", ""),
+        ("a line through another point than that of the layer", "state[0] - slope * distance", "state[0] - slope * point"),
+    ),
+    *in_file(
+        "src/libration/query/well/well_equation.cpp", ["query/well/eigenvalues_test.cpp"],
+        ("a potential with abs(x) that is not even", "if (!(right.reflected().potential == read_well(on_one_side(system, -1), energy).potential)) {", "if (false) {"),
+        ("the sign of x for that of -x", "*factor > 0 ? sign : -sign", "sign"),
+        ("a sign of another function than a multiple of x", "            !is_identically_zero(each.argument - slope * variable())) {", "            false) {"),
+    ),
+    *in_file(
         "src/libration/asymptotics/closed_equation.cpp", ["asymptotics/coefficient_law_test.cpp"],
         ("an equation along the solution with a wrong integral", "flow.at_start(f3 / f1)", "flow.at_start(f2 / f1)"),
     ),

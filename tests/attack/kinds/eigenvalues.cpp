@@ -108,6 +108,17 @@ asked_well of_superpotential(choices& next) {
             {exact_value(d)}};
 }
 
+// The same with W = sign(x) w(|x|), w(0) = 0, so that psi' = 0 at 0: V = w^2 - w' + d in |x|.
+asked_well of_mirrored(choices& next) {
+    const std::array<long, 3> w{next.between(-4, 4), next.between(-2, 2), next.between(1, 2)};
+    const rational d = any_fraction(next);
+    const char* const y = next.one_in(2) ? "abs(x)" : "max(x, -x)";
+    return {fmt::format("psi'' = ((({0})*{4}+({1})*x^2+{2}*{4}^3)^2 - (({0})+2*({1})*{4}+3*{2}*x^2) + {3} - E)*psi",
+                        w[0], w[1], w[2], written(d), y),
+            whole_line,
+            {exact_value(d)}};
+}
+
 // d between walls at a and b: d + ((n + 1) pi/(b - a))^2.
 asked_well of_box(choices& next) {
     const rational a = any_fraction(next);
@@ -126,12 +137,13 @@ asked_well of_box(choices& next) {
 }
 
 asked_well any_well(choices& next) {
-    switch (next.below(7)) {
+    switch (next.below(8)) {
         case 0: return of_oscillator(next);
         case 1: return of_sech(next);
         case 2: return of_morse(next);
         case 3: return of_radial(next);
         case 4: return of_box(next);
+        case 5: return of_mirrored(next);
         default: return of_superpotential(next);
     }
 }

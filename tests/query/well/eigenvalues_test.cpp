@@ -59,6 +59,30 @@ std::string refusal(const std::string& text) {
 
 }  // namespace
 
+// |x|: even eigenfunctions have the zeros of Ai' as -E, odd ones those of Ai [DLMF 9.9].
+TEST_CASE("wells with functions of the sign of x", "[query][proved]") {
+    const precision_scope scope(60);
+    const auto linear = on_line("abs(x)", 3, 30);
+    REQUIRE(linear.values.size() == 3);
+    const std::vector<std::string> zeros{"1.018792971647471089017324783399743824",
+                                         "2.338107410459767038489197252446735441",
+                                         "3.248197582179836537875423770775843384"};
+    for (std::size_t n = 0; n < zeros.size(); ++n) {
+        CHECK(linear.values[n].index == static_cast<long>(n));
+        CHECK(within_a_unit(*linear.values[n].value.decimal, ball(mpfr(zeros[n])), 30));
+    }
+    const auto mirrored = on_line("if(x > 0, 3*x, -3*x) + 0*x", 1, 20);  // E of |x| times 3^(2/3)
+    CHECK(within_a_unit(*mirrored.values[0].value.decimal, ball(mpfr("2.119174779362881818207937523132437134")), 20));
+    const auto turned = on_line("abs(-2*x)", 1, 20);  // times 2^(2/3)
+    CHECK(within_a_unit(*turned.values[0].value.decimal, ball(mpfr("1.61723303493100362822802676223227861")), 20));
+    // From a point on the smooth side abs(x) is x; from 0 with psi = 0 the zeros of Ai.
+    const auto half = found("psi'' = (abs(x) - E)*psi; psi(0) = 0; psi(inf) = 0", 1, 20);
+    CHECK(within_a_unit(*half.values[0].value.decimal, ball(mpfr(zeros[1])), 20));
+    CHECK_THAT(refusal("psi'' = (abs(x) + x/2 - E)*psi; psi(-inf) = 0; psi(inf) = 0"), Catch::Contains("not even"));
+    CHECK_THAT(refusal("psi'' = (abs(x-1) - E)*psi; psi(-inf) = 0; psi(inf) = 0"), Catch::Contains("abs(x-1)"));
+    CHECK_THAT(refusal("psi'' = (abs(x) - E)*psi; psi(-1) = 0; psi(inf) = 0"), Catch::Contains("sign"));
+}
+
 TEST_CASE("eigenvalues on the line in closed form", "[ode][proved]") {
     require_values(on_line("x^2", 4, 40), {1, 3, 5, 7}, 40);
     require_values(on_line("(x-1/3)^2", 3, 30), {1, 3, 5}, 30);

@@ -138,6 +138,11 @@ public:
             }
             return;
         }
+        if (well_.mirrored && (!ends_.left->point || *ends_.left->point < 0)) {
+            throw error(error_kind::undecided, error_subject::problem, "",
+                        "has a potential with a function of the sign of the variable, which is supported on the whole "
+                        "line and from a point x >= 0 on");
+        }
         parts_.emplace_back(well_problem(well_, *ends_.left, *ends_.right, matching_point(ends_)), watch);
     }
 

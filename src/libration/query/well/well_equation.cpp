@@ -185,7 +185,7 @@ well_equation damped_equation::without_damping() const {
     return result;
 }
 
-bool well_equation::is_even() const { return reflected().potential == potential; }
+bool well_equation::is_even() const { return mirrored || reflected().potential == potential; }
 
 bool is_linear_in_time(const equation_system& system) {
     try {
@@ -198,7 +198,40 @@ bool is_linear_in_time(const equation_system& system) {
     }
 }
 
+namespace {
+
+// The equations for x of one sign. Throws error for step functions of anything but a multiple of x.
+equation_system on_one_side(equation_system system, int sign) {
+    for (const step_function& each : system.steps) {
+        const expression slope = partial(each.argument, variable());
+        const auto factor = slope.fraction();
+        if (each.kind != step_kind::sign || !factor || *factor == 0 ||
+            !is_identically_zero(each.argument - slope * variable())) {
+            refuse_term("'" + each.text + "'", "in the potential, of which only abs(" + system.variable +
+                                                   ") and other functions of the sign of " + system.variable +
+                                                   " are supported");
+        }
+        for (const definition& value : parameters_of(each, number(rational(*factor > 0 ? sign : -sign)))) {
+            system.parameters.push_back(value);
+        }
+    }
+    system.steps.clear();
+    return system;
+}
+
+}  // namespace
+
 well_equation read_well(const equation_system& system, const std::string& energy) {
+    if (!system.steps.empty()) {
+        well_equation right = read_well(on_one_side(system, 1), energy);
+        if (!(right.reflected().potential == read_well(on_one_side(system, -1), energy).potential)) {
+            throw error(error_kind::undecided, error_subject::problem, "",
+                        "has a potential with " + system.steps.front().text +
+                            " that is not even, and only V(-x) = V(x) is supported with it");
+        }
+        right.mirrored = true;
+        return right;
+    }
     const auto form = linear_form_of(system, energy);
     if (!form) {
         throw error(

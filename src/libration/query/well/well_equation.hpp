@@ -15,8 +15,9 @@ struct well_equation {
     rational weight = 1;          ///< c > 0
     bool exponential = false;     ///< s = exp(r x)
     rational rate = 1;            ///< r > 0
+    bool mirrored = false;        ///< V is typed with abs(x) or other signs of x, and is V(-x) for x < 0
 
-    /// The same equation in -x.
+    /// The same equation in -x, for x of one sign if V is mirrored.
     well_equation reflected() const;
     bool is_even() const;
 };
@@ -40,7 +41,7 @@ struct damped_equation {
 bool is_linear_in_time(const equation_system& system);
 
 /// The equation in which `energy` is the number E. Throws error of the subject "problem" that names the term for which it has
-/// not this form.
+/// not this form. With functions of the sign of x, V is that for x > 0, and has to be even.
 well_equation read_well(const equation_system& system, const std::string& energy);
 
 /// The equation, without another parameter. Throws error like read_well().
