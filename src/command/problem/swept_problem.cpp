@@ -140,7 +140,7 @@ shared_problem sweep_problem(const std::string& said, const std::vector<std::str
     result->said = said;
     naming_option("--problem", [&] {
         const auto separated = ode::with_limits_separated(named.text);
-        result->system = ode::parse(separated.problem);
+        result->system = ode::parse(with_starts_between(separated, {}));
         result->limits = separated.limits;
         if (!result->limits.empty()) {
             result->determined = open_numbers(result->system);

@@ -21,21 +21,21 @@ namespace libration::ode {
 
 namespace {
 
-constexpr double parts_of_time = 64;
-constexpr double least_radius = 1e-3;
-constexpr long digits_beside = 10;
+constexpr double parts_of_joining_time = 64;
+constexpr double least_theta = 1e-3;
+constexpr long digits_of_values = 10;
 
-bool is_given(const limit_condition& each) { return each.amplitude.has_value(); }
+bool gives_amplitude(const limit_condition& each) { return each.amplitude.has_value(); }
 
 class amplitude_search {
 public:
     amplitude_search(const connection_question& question, const proof_route& route, const march_watch& watch)
         : question_(question),
-          limit_(*std::ranges::find_if(question.limits, is_given)),
+          limit_(*std::ranges::find_if(question.limits, gives_amplitude)),
           watch_(watch),
           map_(with_idle_starts(question.system), question.unknowns, question.limits, route, watch),
           amplitude_(parameter_values(question.system).number_of(*limit_.amplitude)) {
-        if (map_.has_two_ends() || std::ranges::count_if(question.limits, is_given) > 1) {
+        if (map_.has_two_ends() || std::ranges::count_if(question.limits, gives_amplitude) > 1) {
             refuse_limit("is one of several amplitudes, or has limits at both ends: give one amplitude, at one end");
         }
         if (amplitude_.sign() == 0) {
@@ -69,7 +69,7 @@ public:
 
     connection result() {
         std::vector<known_value> kept(names_.size());
-        const auto missing = prove_digits(question_.digits + digits_beside, error_subject::solution,
+        const auto missing = prove_digits(question_.digits + digits_of_values, error_subject::solution,
                                           [&](const run_bits& run, run_demand& demand) {
                                               const precision_scope scope(decimal_digits(run.bits));
                                               if (const auto state = state_at_start(run.bits)) {
@@ -105,9 +105,9 @@ private:
         const ball point = constant_value<ball>::of(map_.open().system.point());
         const ball at_start = constant_value<ball>::of(amplitude_) / entry * exp(-rate * point * direction);
         const double beyond = std::log(std::fabs(as_double(at_start)) / map_.right().good_radius()) / as_double(rate);
-        map_.time = std::ceil(std::max(0., beyond) * parts_of_time) / parts_of_time;
+        map_.time = std::ceil(std::max(0., beyond) * parts_of_joining_time) / parts_of_joining_time;
         theta_ = at_start * exp(-rate * exactly(map_.time));
-        map_.radius = std::max(least_radius, std::fabs(as_double(theta_)));
+        map_.radius = std::max(least_theta, std::fabs(as_double(theta_)));
         const auto end = map_.right().along(numbers, {theta_}, {ball(0)}, map_.degree_for(bits));
         if (!end) {
             return std::nullopt;
@@ -133,7 +133,7 @@ private:
     }
 
     connection described(const std::vector<known_value>& kept) const {
-        const precision_scope scope(question_.digits + 2 * digits_beside);
+        const precision_scope scope(question_.digits + 2 * digits_of_values);
         connection result;
         std::vector<ball> x;
         for (const std::string& name : question_.unknowns) {
@@ -168,7 +168,9 @@ private:
 
 }  // namespace
 
-bool has_amplitude(const connection_question& question) { return std::ranges::any_of(question.limits, is_given); }
+bool has_amplitude(const connection_question& question) {
+    return std::ranges::any_of(question.limits, gives_amplitude);
+}
 
 connection proved_by_amplitude(const connection_question& question, const proof_route& route,
                                const march_watch& watch) {

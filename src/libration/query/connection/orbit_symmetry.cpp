@@ -75,7 +75,7 @@ std::vector<std::size_t> masks_in_order(const std::vector<component_limits>& lim
     return masks;
 }
 
-std::string value_at(const std::string& name, const std::string& time) { return name + "(" + time + ")"; }
+std::string text_at(const std::string& name, const std::string& time) { return name + "(" + time + ")"; }
 
 }  // namespace
 
@@ -119,9 +119,9 @@ std::string orbit_symmetry::text() const {
         const std::string name = of[k].name();
         all += all.empty() ? "" : ", ";
         all += signs[k] > 0 || centre[k].is(0)
-                   ? value_at(name, reversed) + (signs[k] > 0 ? " = " : " = -") + value_at(name, "t")
-                   : value_at(name, "t") + " + " + value_at(name, reversed) + " = " + value_at(name, "-inf") + " + " +
-                         value_at(name, "inf");
+                   ? text_at(name, reversed) + (signs[k] > 0 ? " = " : " = -") + text_at(name, "t")
+                   : text_at(name, "t") + " + " + text_at(name, reversed) + " = " + text_at(name, "-inf") + " + " +
+                         text_at(name, "inf");
     }
     return all;
 }

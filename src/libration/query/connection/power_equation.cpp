@@ -246,7 +246,7 @@ connection_question logarithmic_question(const power_equation& of, const std::ve
     result.system.variable = "s";
     const expression z = unknown("z of log t");  // no name of a problem has blanks
     const auto limited = [&](const expression& leaf, const expression& limit) {
-        result.limits.push_back({leaf, in_parameters(limit), 1, false, false, leaf.name() + "(inf)"});
+        result.limits.push_back({.of = leaf, .value = in_parameters(limit), .text = leaf.name() + "(inf)"});
     };
     expression slope_of_z = z - z * z;
     std::vector<expression> leaves{z};
