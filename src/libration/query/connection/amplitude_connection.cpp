@@ -22,6 +22,7 @@ namespace libration::ode {
 namespace {
 
 constexpr double parts_of_joining_time = 64;
+constexpr long most_times_the_bits = 4;
 constexpr double least_theta = 1e-3;
 constexpr long digits_of_values = 10;
 
@@ -69,15 +70,17 @@ public:
 
     connection result() {
         std::vector<known_value> kept(names_.size());
-        const auto missing = prove_digits(question_.digits + digits_of_values, error_subject::solution,
-                                          [&](const run_bits& run, run_demand& demand) {
-                                              const precision_scope scope(decimal_digits(run.bits));
-                                              if (const auto state = state_at_start(run.bits)) {
-                                                  demand.improve(kept, *state, "", names_);
-                                              } else {
-                                                  demand.twice_the_bits("");
-                                              }
-                                          });
+        const auto missing = prove_digits(
+            question_.digits + digits_of_values, error_subject::solution, [&](const run_bits& run, run_demand& demand) {
+                const precision_scope scope(decimal_digits(run.bits));
+                if (const auto state = state_at_start(run.bits)) {
+                    demand.improve(kept, *state, "", names_);
+                } else {
+                    demand.undecided(
+                        "", "is not proved to exist from the end back to the initial point: choose another amplitude",
+                        most_times_the_bits * bits_of_first_run(question_.digits));
+                }
+            });
         if (missing && !all_have_digits(kept)) {
             throw error(*missing);
         }
@@ -150,8 +153,8 @@ private:
         x.push_back(theta_);
         result.orbit = std::make_shared<connection_orbit>(map_, question_.unknowns, question_.limits, x);
         result.time = as_double(result.orbit->joining_time());
-        result.proved = "the solution on the 1-dimensional stable manifold with " + limit_.text +
-                        ", from where it tends to the limits exponentially";
+        result.proved = "one solution on the 1-dimensional stable manifold has " + limit_.text +
+                        ", and tends to the limits exponentially";
         result.not_claimed = "that solutions that tend to the limits in another way are excluded";
         return result;
     }
