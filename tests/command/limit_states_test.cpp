@@ -110,7 +110,7 @@ TEST_CASE("what is not accepted with conditions at infinity and manifolds", "[co
     check_refused({"find", "--problem", "y'' = y^2; y(0) = 1; y(inf) = 0 exponentially", "--unknown", "y'(0)"},
                   {"without a direction of exponential decay"});
     check_refused({"reference", "--problem", "y' = -y; y(0) = 1; y(inf) = 0", "--times", "1"}, {"leaves nothing open"});
-    const words kink{"--problem", "u'' = sin(u); u(0) = pi; u(-inf) = 0; u(inf) = 2*pi", "--unknown", "u'(0)"};
+    const words kink{"--problem", "u'' = sin(u); u(0) = 3; u(-inf) = 0; u(inf) = 2*pi", "--unknown", "u'(0)"};
     check_refused(words{"find"} + kink, {"--problem 'u'", "limits at both ends", "one of the ends"});
     check_refused(words{"reference"} + kink + words{"--times", "1"}, {"--problem 'u'", "limits at both ends"});
     check_refused({"trajectory", "--problem", "y' = -y; y(0) = 1"}, {"--times"});

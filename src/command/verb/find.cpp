@@ -190,15 +190,15 @@ problem with_homoclinic_limits(find_options& options, const problem& of, const f
     }
     const auto limits = homoclinic_conditions(near);
     options.conditions.insert(options.conditions.end(), limits.begin(), limits.end());
-    say_line(fmt::format("--homoclinic: {}", fmt::join(limits, ", ")));
-    if (!options.unknowns.empty()) {
-        return of;
-    }
-    const auto symmetric = symmetric_orbit_of(of, limits);
-    if (!symmetric) {
+    const auto symmetric = options.unknowns.empty() ? symmetric_orbit_of(of, limits) : std::nullopt;
+    if (options.unknowns.empty() && !symmetric) {
         throw input_error(
             "--homoclinic is given without --unknown, and no reversal of time is seen to leave the "
             "equations unchanged: add the parameter for which there is such an orbit");
+    }
+    say_line(fmt::format("--homoclinic: {}", fmt::join(limits, ", ")));
+    if (!symmetric) {
+        return of;
     }
     options.unknowns = options.without_guess = symmetric->unknowns;
     return symmetric->of;

@@ -54,9 +54,6 @@ found_limits find_limits(const limit_problem& of, long digits, const ode::proof_
             result.connection =
                 about(error_subject::unknowns, [&] { return ode::proved_connection(question, route, watch_of(how)); });
             result.notes = notes_of(result.connection);
-            if (!result.connection.phase.empty()) {
-                result.notes.push_back({"phase", result.connection.phase});
-            }
             return result;
         } catch (const error&) {
             if (of.conditions.size() > 1 || !is_decided_by_lemma(equations, of.unknowns, of.conditions.front())) {

@@ -19,7 +19,7 @@ struct limit_condition {
     bool fast = false;           ///< u(inf) = 0 fast: along the fastest directions alone
     /// u(inf) = 0 with amplitude A: u = u(inf) + A exp(-r |t|) + smaller terms, with the rate r of the slowest direction.
     std::optional<expression> amplitude = {};
-    std::string text = {};       ///< as written
+    std::string text = {};  ///< as written
 };
 
 /// A text without its conditions at infinity, with blanks in their place, and these conditions.

@@ -75,10 +75,10 @@ private:
     std::vector<limit_condition> limits_;
     std::vector<ball> x_;
     std::vector<std::string> names_;
-    std::vector<std::size_t> places_;  // of the names in the form
+    std::vector<std::size_t> places_;                  // of the names in the form
     std::vector<std::optional<number>> twice_centre_;  // of the quantities that a symmetry reflects; or empty
-    ball phase_;                       // the time of the map at t = 0
-    std::string of_phase_;             // the unknown that fixes it
+    ball phase_;                                       // the time of the map at t = 0
+    std::string of_phase_;                             // the unknown that fixes it
     int sign_of_phase_ = 1;
     ball rate_of_phase_;
 };
