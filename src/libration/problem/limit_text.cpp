@@ -118,6 +118,7 @@ std::string with_starts_between(const ode::separated_text& separated, const std:
 std::optional<limit_problem> symmetric_orbit_of(const problem& of, const std::vector<std::string>& limits) {
     ode::equation_system system = of.equations();
     std::vector<ode::limit_condition> conditions;
+    conditions.reserve(limits.size());
     for (const std::string& each : limits) {
         conditions.push_back(ode::parse_limit(system, each));
     }

@@ -46,6 +46,7 @@ std::optional<planned_step> step_planner::plan(const ball& time, const std::vect
         return std::nullopt;
     }
     std::vector<long double> start;
+    start.reserve(values.size());
     for (const ball& each : values) {
         start.push_back(midpoint_of(each).convert_to<long double>());
     }

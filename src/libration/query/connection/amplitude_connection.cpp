@@ -129,6 +129,7 @@ private:
             state = before->front();
         }
         std::vector<ball> result;
+        result.reserve(moving.size());
         for (const std::size_t k : moving) {
             result.push_back(state[k]);
         }

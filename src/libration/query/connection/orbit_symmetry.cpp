@@ -64,7 +64,7 @@ std::optional<orbit_symmetry> symmetry_with(const first_order_form& form, const 
 std::vector<std::size_t> masks_in_order(const std::vector<component_limits>& limits) {
     std::size_t equal = 0;
     for (std::size_t k = 0; k < limits.size(); ++k) {
-        equal |= std::size_t{limits[k].are_equal} << k;
+        equal |= (limits[k].are_equal ? std::size_t{1} : std::size_t{0}) << k;
     }
     std::vector<std::size_t> masks;
     for (std::size_t mask = (std::size_t{1} << limits.size()) - 1; mask-- > 1;) {
@@ -154,7 +154,7 @@ std::optional<orbit_symmetry> symmetry_between(const equation_system& system,
     std::size_t mask = 0;
     for (std::size_t k = 0; k < form.given.size(); ++k) {
         const std::string name = name_of_start(form.given[k], complete.starts.front().point);
-        mask |= std::size_t{std::ranges::find(unknowns, name) == unknowns.end()} << k;
+        mask |= (std::ranges::find(unknowns, name) == unknowns.end() ? std::size_t{1} : std::size_t{0}) << k;
     }
     return symmetry_with(form, *by_component, open.system.point(), mask);
 }
