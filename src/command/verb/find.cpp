@@ -193,7 +193,7 @@ problem with_homoclinic_limits(find_options& options, const problem& of, const f
     const auto symmetric = options.unknowns.empty() ? symmetric_orbit_of(of, limits) : std::nullopt;
     if (options.unknowns.empty() && !symmetric) {
         throw input_error(
-            "--homoclinic is given without --unknown, and no reversal of time is seen to leave the "
+            "--homoclinic is given without --unknown, and no reversal of time is known that leaves the "
             "equations unchanged: add the parameter for which there is such an orbit");
     }
     say_line(fmt::format("--homoclinic: {}", fmt::join(limits, ", ")));

@@ -39,8 +39,8 @@ private:
         power_sum sum = sums_.of(argument);
         int sign = 1;
         if (f == function_kind::sin || f == function_kind::cos) {
-            for (int turns = take_quarter_turns(sum); turns > 0;
-                 --turns) {  // sin(x + pi/2) = cos(x), cos(x + pi/2) = -sin(x)
+            // sin(x + pi/2) = cos(x), cos(x + pi/2) = -sin(x).
+            for (int turns = take_quarter_turns(sum); turns > 0; --turns) {
                 sign = f == function_kind::cos ? -sign : sign;
                 f = f == function_kind::cos ? function_kind::sin : function_kind::cos;
             }

@@ -15,7 +15,7 @@ namespace libration::ode {
 struct connection_question {
     equation_system system;               ///< the values of the unknowns are the first guess
     std::vector<std::string> unknowns;    ///< parameters, or initial values as f''(0)
-    std::vector<limit_condition> limits;  ///< at one end, or at both: then the initial values have no effect
+    std::vector<limit_condition> limits;  ///< at one end or at both; see proved_connection()
     std::vector<std::string> open = {};   ///< the unknowns without a first guess
     long digits = 50;
 };
@@ -50,7 +50,9 @@ struct connection {
 ///     Phi_T(x, theta^-) = P^+(theta^+; x)
 /// proves that exactly one (x, theta) in a box solves it: that solution tends to the equilibrium exponentially. The
 /// equilibria are those of far_state_of(). Boundary layers, quantities that they carry, decay like a power, equations with 1/t and linear equations in the time have limits of
-/// other kinds [docs/theorems/infinity.md]. Throws error of the subject "conditions" for limits that are not those of an
+/// other kinds [docs/theorems/infinity.md]. With limits at both ends the initial values have no effect, unless a reversal of
+/// time maps the orbit through them to itself: then it is the half that ends at inf. An amplitude determines all initial
+/// values. Throws error of the subject "conditions" for limits that are not those of an
 /// equilibrium, of "unknowns" for another number of unknowns than the dimensions of the manifolds require, and of "first
 /// guess" where no solution is found.
 connection proved_connection(const connection_question& question, const proof_route& route = {},
