@@ -11,8 +11,8 @@
 
 namespace libration::ode {
 
-/// The invariants declared by a system, at states of its solution, compared with the initial ones. Errors: rounding in
-/// R.
+/// The invariants declared by a system, at states of its solution, compared with those at its initial point or at
+/// another state. Errors: rounding in R.
 template <field R>
 class invariants {
 public:
@@ -30,8 +30,11 @@ public:
                 values.push_back(constant_value<R>::of(each));
             }
         }
-        at_start_ = at(constant_value<R>::of(system.point()), start);
+        begin_at(constant_value<R>::of(system.point()), start);
     }
+
+    /// Compares with the values at this state from now on.
+    void begin_at(const R& time, const solution_state<R>& state) { at_start_ = at(time, state); }
 
     /// The values of the invariants.
     std::vector<R> at(const R& time, const solution_state<R>& state) {
@@ -43,7 +46,7 @@ public:
         return values;
     }
 
-    /// The largest change of any invariant since the initial point.
+    /// The largest change of any invariant since the initial point, or since the state of begin_at.
     auto drift(const R& time, const solution_state<R>& state) {
         const auto now = at(time, state);
         auto largest = size_of(R(now[0] - at_start_[0]));

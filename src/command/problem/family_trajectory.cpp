@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "libration/expansion/invariant.hpp"
 #include "libration/integration/taylor/batch_march.hpp"
 #include "libration/integration/taylor/varied_problem.hpp"
 #include "libration/scalar/decimal.hpp"
@@ -24,12 +25,9 @@ namespace {
 constexpr long digits_of_double = 20;  // beyond those that are printed
 constexpr std::size_t members_together = 256;
 
-// The problem with the values of the lists as variables, if it has no invariants and these may vary.
+// The problem with the values of the lists as variables, if these may vary.
 std::optional<ode::varied_problem> varied_problem_of(const family_member& first) {
     const ode::equation_system equations = first.problem.equations();
-    if (!equations.invariants.empty()) {
-        return {};
-    }
     std::vector<std::string> names;
     std::ranges::transform(first.values, std::back_inserter(names), [](const auto& each) { return each.first; });
     try {
@@ -42,7 +40,57 @@ std::optional<ode::varied_problem> varied_problem_of(const family_member& first)
     }
 }
 
-double in_double(const exact& value) { return ode::constant_value<double>::of(constants_of({value}).front()); }
+template <class R>
+R value_of(const exact& value) {
+    return ode::constant_value<R>::of(constants_of({value}).front());
+}
+
+template <class R>
+std::vector<R> varied_values(const family_member& member) {
+    std::vector<R> values;
+    for (const auto& [name, text] : member.values) {
+        values.push_back(value_of<R>(read_exact(text)));
+    }
+    return values;
+}
+
+// The changes of the invariants of members since their initial points, as the solution of each one alone has them.
+class drifts_of_members {
+public:
+    explicit drifts_of_members(const ode::varied_problem& varied) : varied_(varied), constant_(varied.system()) {}
+
+    /// values[time][component], in the order of names_of_state without the names.
+    std::vector<std::string> of(const family_member& member, const std::vector<exact>& times,
+                                std::span<const double> values) {
+        std::vector<mpfr> state = varied_.state_of(varied_values<mpfr>(member));
+        constant_.begin_at(ode::constant_value<mpfr>::of(varied_.system().point()), by_unknowns(state));
+        std::vector<std::string> drifts;
+        for (const exact& time : times) {
+            for (std::size_t i = 0; i < state.size(); ++i) {
+                if (!varied_.parameters()[i]) {
+                    state[i] = widen(values.front());
+                    values = values.subspan(1);
+                }
+            }
+            drifts.push_back(to_decimal(constant_.drift(value_of<mpfr>(time), by_unknowns(state)), digits_of_drift));
+        }
+        return drifts;
+    }
+
+private:
+    ode::solution_state<mpfr> by_unknowns(const std::vector<mpfr>& state) const {
+        ode::solution_state<mpfr> grouped;
+        auto next = state.begin();
+        for (const auto& each : varied_.system().unknowns()) {
+            grouped.emplace_back(next, next + each.order);
+            next += each.order;
+        }
+        return grouped;
+    }
+
+    const ode::varied_problem& varied_;
+    ode::invariants<mpfr> constant_;
+};
 
 // Some members of the family, and where they end in time.
 class lock_step {
@@ -50,7 +98,7 @@ public:
     lock_step(const ode::varied_problem& varied, const std::vector<family_member>& family,
               const std::vector<exact>& times, std::vector<std::string> decimals, long digits)
         : varied_(varied), family_(family), times_(times), decimals_(std::move(decimals)), digits_(digits) {
-        std::ranges::transform(times, std::back_inserter(at_), in_double);
+        std::ranges::transform(times, std::back_inserter(at_), value_of<double>);
         const auto names = ode::names_of_state(varied.system());
         for (std::size_t i = 0; i < names.size(); ++i) {
             if (!varied.parameters()[i]) {
@@ -62,29 +110,31 @@ public:
     void run(std::size_t first, std::size_t last, std::span<std::optional<partial_table>> to) const {
         std::vector<double> states;
         for (std::size_t i = first; i < last; ++i) {
-            std::vector<double> values;
-            for (const auto& [name, text] : family_[i].values) {
-                values.push_back(in_double(read_exact(text)));
-            }
-            varied_.append_state(values, states);
+            varied_.append_state(varied_values<double>(family_[i]), states);
         }
         std::vector<double> found((last - first) * at_.size() * names_.size());
         ode::batch_march march(varied_.system(), varied_.parameters());
         const double begin = ode::constant_value<double>::of(varied_.system().point());
         march.run({begin, states, at_}, found, [](std::size_t) { check_time(); });
         const std::size_t size = at_.size() * names_.size();
+        const precision_scope wide(digits_ + digits_of_double);
+        std::optional<drifts_of_members> drifts;
+        if (!varied_.system().invariants().empty()) {
+            drifts.emplace(varied_);
+        }
         for (std::size_t i = 0; i < last - first; ++i) {
-            to[i] = table_of(std::span(found).subspan(i * size, size));
+            const auto values = std::span<const double>(found).subspan(i * size, size);
+            if (std::ranges::none_of(values, [](double x) { return std::isnan(x); })) {
+                to[i] = table_of(values,
+                                 drifts ? drifts->of(family_[first + i], times_, values) : std::vector<std::string>());
+            }
         }
     }
 
 private:
-    std::optional<partial_table> table_of(std::span<const double> values) const {
-        if (std::ranges::any_of(values, [](double x) { return std::isnan(x); })) {
-            return {};
-        }
-        const precision_scope wide(digits_ + digits_of_double);
+    partial_table table_of(std::span<const double> values, std::vector<std::string> drifts) const {
         answer found{.names = names_, .rows = {}, .rigour = "heuristic"};
+        found.drifts = std::move(drifts);
         for (std::size_t i = 0; i < at_.size(); ++i) {
             auto& row = found.rows.emplace_back();
             for (const double x : values.subspan(i * names_.size(), names_.size())) {

@@ -11,10 +11,10 @@
 namespace libration {
 
 /// The states of each member of a family like those of problem_trajectory in double, in lock step (ode::batch_march) on
-/// so many threads. Nothing for a member whose solution does not reach all times, which its own integration explains,
-/// and for all members if the problem has invariants, whose changes are listed, or cannot be integrated with these
-/// values as variables: if one of them has to be a constant of the equations, as an exponent has, or the initial point
-/// is singular. Throws error of the kind undecided if the command is to end.
+/// so many threads, with the changes of invariants. Nothing for a member whose solution does not reach all times, which
+/// its own integration explains, and for all members if the problem cannot be integrated with these values as
+/// variables: if one of them has to be a constant of the equations, as an exponent has, or the initial point is
+/// singular. Throws error of the kind undecided if the command is to end.
 std::vector<std::optional<partial_table>> family_in_lock_step(const std::vector<family_member>& family,
                                                               const std::vector<exact>& times, long digits, int jobs);
 

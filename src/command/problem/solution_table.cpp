@@ -11,8 +11,6 @@ namespace libration {
 
 namespace {
 
-constexpr long digits_of_drift = 3;
-
 bool is_undecided(const answer_value& value) { return value.text.empty(); }
 
 // |y| < 1.2e-60, or that the time is not reached.

@@ -14,6 +14,9 @@
 
 namespace libration {
 
+/// Significant digits of the column invariant_drift.
+inline constexpr long digits_of_drift = 3;
+
 /// Cells shared by all times of a solution, with the names of their columns, by position in a row.
 struct shared_cells {
     using list = std::vector<std::pair<const char*, cell>>;

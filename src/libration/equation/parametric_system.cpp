@@ -44,7 +44,6 @@ class opening {
 public:
     opening(equation_system given, std::vector<std::string> names) : made_(std::move(given)), names_(std::move(names)) {
         require_numbers(made_);
-        made_.invariants.clear();
         made_.exact.clear();
         for (std::size_t i = 0; i < names_.size(); ++i) {
             if (names_[i].find('(') != std::string::npos) {
@@ -60,9 +59,11 @@ public:
     parametric_system result(const std::vector<expression>& others) {
         equation_system open = made_;
         parameter_values in_equations = values_with([&](std::size_t i) { return unknown(names_[i]); });
-        for (equation& each : open.equations) {
-            each.left = in_equations.in(each.left);
-            each.right = in_equations.in(each.right);
+        for (auto* const list : {&open.equations, &open.invariants}) {
+            for (equation& each : *list) {
+                each.left = in_equations.in(each.left);
+                each.right = in_equations.in(each.right);
+            }
         }
         for (std::size_t i = 0; i < names_.size(); ++i) {
             open.add(derivative(unknown(names_[i])));

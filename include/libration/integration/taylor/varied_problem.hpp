@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "libration/equation/parametric_system.hpp"
+#include "libration/scalar/mpfr.hpp"
 
 namespace libration::ode {
 
@@ -28,6 +29,8 @@ public:
     void append_state(std::span<const double> values, std::vector<double>& to) const;
     /// The same with another state of the unknowns, in the order of names_of_state without the names.
     void append_state(std::span<const double> values, std::span<const double> unknowns, std::vector<double>& to) const;
+    /// The state at the initial point in the working precision.
+    std::vector<mpfr> state_of(std::span<const mpfr> values) const;
 
 private:
     parametric_system open_;

@@ -7,6 +7,21 @@
 
 namespace libration::ode {
 
+namespace {
+
+template <class R>
+void append_starts(const parametric_system& of, std::span<const R> values, std::vector<R>& to) {
+    expression_values<R> by_values(of.leaves, R(0));
+    for (const R& each : values) {
+        by_values.push_back(each);
+    }
+    for (const expression& each : of.starts) {
+        to.push_back(by_values.of(each));
+    }
+}
+
+}  // namespace
+
 varied_problem::varied_problem(const equation_system& given, const std::vector<std::string>& names)
     : open_(opened(given, names)) {
     if (open_.system.singular()) {
@@ -21,13 +36,13 @@ varied_problem::varied_problem(const equation_system& given, const std::vector<s
 }
 
 void varied_problem::append_state(std::span<const double> values, std::vector<double>& to) const {
-    expression_values<double> by_values(open_.leaves, 0.0);
-    for (const double each : values) {
-        by_values.push_back(each);
-    }
-    for (const expression& each : open_.starts) {
-        to.push_back(by_values.of(each));
-    }
+    append_starts(open_, values, to);
+}
+
+std::vector<mpfr> varied_problem::state_of(std::span<const mpfr> values) const {
+    std::vector<mpfr> state;
+    append_starts(open_, values, state);
+    return state;
 }
 
 void varied_problem::append_state(std::span<const double> values, std::span<const double> unknowns,
