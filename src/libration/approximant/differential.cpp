@@ -16,12 +16,14 @@ constexpr int fewest_unknowns = 5;
 constexpr int most_unknowns = 110;
 constexpr int confirming = 3;  // coefficients that an exact equation was not fitted to
 
-// log10 |p/a - 1|, at least that of the precision.
-std::optional<double> log_error(const mpfr& predicted, const mpfr& actual, long bits) {
-    if (actual == 0) {
+// log10 |p/a_m - 1|, at least that of the precision; if a_m = 0, log10 |p/a_k| for the larger one of the two before.
+std::optional<double> log_error(const mpfr& predicted, std::span<const mpfr> a, int m, long bits) {
+    const auto size = [&](int n) { return n < 0 ? mpfr(0) : mpfr(abs(a[static_cast<std::size_t>(n)])); };
+    const mpfr scale = size(m) != 0 ? size(m) : std::max(size(m - 1), size(m - 2));
+    if (scale == 0) {
         return std::nullopt;
     }
-    const mpfr error = abs(mpfr(predicted / actual - 1));
+    const mpfr error = abs(mpfr(predicted - a[static_cast<std::size_t>(m)])) / scale;
     const double least = -0.28 * static_cast<double>(bits);
     return error == 0 ? least : std::max(least, mpfr(log10(error)).convert_to<double>());
 }
@@ -69,8 +71,7 @@ private:
         differential_fit fit{
             .track = index_, .length = system_.length(), .roots = roots_of_equation(relation, within_)};
         if (fit.length < last_) {
-            const mpfr next = next_by(relation, a_, fit.length + 1);
-            fit.next_error = log_error(next, a_[static_cast<std::size_t>(fit.length) + 1], bits_);
+            fit.next_error = log_error(next_by(relation, a_, fit.length + 1), a_, fit.length + 1, bits_);
         }
         fits_.push_back(std::move(fit));
     }
