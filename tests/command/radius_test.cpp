@@ -301,6 +301,31 @@ TEST_CASE("a list comes from stdin too, and --order cuts it", "[command][radius]
     CHECK(rows_about(tangent(80), {"--order", "59"}) == rows_about(tangent(60), {}));
 }
 
+TEST_CASE("a list on one line, and one without the line of an n", "[command][radius]") {
+    const temporary_folder folder;
+    std::string one_line;
+    std::string lines;
+    std::string with_gap;
+    for (int n = 0; n <= 20; ++n) {  // 1/(1 - 2 x)
+        const std::string value = std::to_string(1 << n);
+        one_line += (n == 0 ? "" : ", ") + value;
+        lines += value + "\n";
+        with_gap += n == 7 ? "" : std::to_string(n) + " " + value + "\n";
+    }
+    write_file(folder, "one.txt", one_line + "\n");
+    write_file(folder, "lines.txt", lines);
+    write_file(folder, "gap.txt", with_gap);
+    const auto from = [&](const char* name) {
+        return run_libration({"radius", "--coefficients", name, "--format", "csv"}, folder.path());
+    };
+    CHECK(from("one.txt").out == from("lines.txt").out);
+    CHECK(from("one.txt").exit_code == 0);
+    CHECK(from("lines.txt").err.find("read as 0") == std::string::npos);
+    CHECK(from("gap.txt").err.find("'gap.txt' has no line for n = 7: read as 0") != std::string::npos);
+    write_file(folder, "even.txt", "0 1\n2 1\n4 1\n6 1\n8 1\n10 1\n12 1\n14 1\n");
+    CHECK(from("even.txt").err.find("read as 0") == std::string::npos);
+}
+
 TEST_CASE("complex coefficients have their singularity on its own side", "[command][radius]") {
     // 1/(1 - x/(1+2i)) and (1 - x/(1+2i))^(1/2): at distance sqrt 5, without a conjugate.
     const precision_scope scope(60);

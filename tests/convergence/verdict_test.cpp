@@ -172,6 +172,84 @@ TEST_CASE("an apparent singularity of a fitted equation is not the nearest one",
     CHECK(abs(*found.exponent + mpfr(5) / 2) <= found.exponent_uncertainty);
 }
 
+// Factors that vanish beyond the list make an apparent singularity in front of the true one, a thousandth of it away.
+TEST_CASE("an apparent singularity of an exact equation close to the nearest one is not taken for it",
+          "[convergence][verdict]") {
+    const precision_scope scope(most_digits);
+    struct product {
+        int order, zero;
+        double exponent;
+        mpfr radius;
+        std::function<mpfr(int)> coefficient;
+    };
+    const auto central = [](int n) { return mpfr(binomial(mpfr(-1) / 2, n) * pow(mpfr(4), n)); };  // (1 - 4 x)^(-1/2)
+    const mpfr quarter = mpfr(1) / 4;
+    for (const product& each : std::vector<product>{
+             {40, 81, -1.5, quarter, [&](int n) { return mpfr((2 * n - 81) * central(n)); }},
+             {20, 41, -1.5, quarter, [&](int n) { return mpfr((2 * n - 41) * central(n)); }},
+             {40, 100, -1.5, quarter, [&](int n) { return mpfr((n - 100) * central(n)); }},
+             {40, 1000, -3, mpfr(1), [](int n) { return mpfr(n * n + 1000); }},
+             {40, 600, -3, mpfr(1), [](int n) { return mpfr(n * n + n + 600); }},
+             // (1 - x)^(-1/3) and 10^-6 x^41, an equation of which has a root with an integer exponent.
+             {60, 41, -1.0 / 3, mpfr(1),
+              [](int n) { return mpfr(binomial(mpfr(-1) / 3, n) + (n == 41 ? 1e-6 : 0)); }}}) {
+        INFO("N = " << each.order << ", " << each.zero);
+        const auto found = verdict_on(list_of(each.order, each.coefficient));
+        REQUIRE(covers(found, each.radius));
+        CHECK(found.uncertainty <= each.radius * mpfr(1e-30));
+        REQUIRE(found.exponent);
+        CHECK(abs(*found.exponent - mpfr(each.exponent)) <=
+              found.exponent_uncertainty + mpfr(1e-15));  // -1/3 in double
+    }
+    // 1 - 1/10^8 and 1 are not distinguished: the radius is one of the two.
+    const auto close = verdict_on(list_of(40, [](int n) { return mpfr(n * n + 100'000'000); }));
+    CHECK(covers(close, mpfr(1)));
+    CHECK(close.uncertainty < mpfr(1e-6));
+    CHECK((close.uncertainty < mpfr(1e-30) || (close.kind == singularity_kind::unknown && !close.exponent)));
+}
+
+TEST_CASE("a wrong coefficient of a list that satisfies an equation is found", "[convergence][verdict]") {
+    const precision_scope scope(most_digits);
+    const auto exponential = [](int n) {
+        mpfr factorial(1);
+        for (int k = 2; k <= n; ++k) {
+            factorial *= k;
+        }
+        return mpfr(1 / factorial);
+    };
+    const auto fibonacci = [](int n) {
+        mpfr a(0);
+        mpfr b(1);
+        for (int k = 0; k < n; ++k) {
+            a = std::exchange(b, mpfr(a + b));
+        }
+        return b;
+    };
+    const auto power = [](int n) { return binomial(mpfr(-1) / 3, n); };
+    const auto catalan = [](int n) { return mpfr(binomial(mpfr(-1) / 2, n) * pow(mpfr(4), n) / (n + 1)); };
+    struct changed {
+        int order, at;
+        std::function<mpfr(int)> right;
+        mpfr factor;  // of the wrong coefficient
+    };
+    for (const changed& each : std::vector<changed>{{40, 25, exponential, mpfr(1) + mpfr(1) / 1000},
+                                                    {25, 15, exponential, mpfr(11) / 10},
+                                                    {60, 40, power, mpfr(11) / 10},
+                                                    {60, 40, catalan, mpfr(0)},
+                                                    {60, 40, fibonacci, mpfr(1) + 1 / fibonacci(40)}}) {
+        auto list = list_of(each.order, each.right);
+        INFO("N = " << each.order << ", n = " << each.at);
+        CHECK_FALSE(verdict_on(list).suspect);
+        const mpfr right = list.values[static_cast<std::size_t>(each.at)];
+        list.values[static_cast<std::size_t>(each.at)] *= each.factor;
+        const auto found = verdict_on(list);
+        REQUIRE(found.suspect);
+        CHECK(found.suspect->index == each.at);
+        CHECK(found.suspect->confirmed);
+        CHECK(abs(found.suspect->predicted - right) <= found.suspect->uncertainty + abs(right) * mpfr(1e-100));
+    }
+}
+
 TEST_CASE("a pattern of zeros multiplies the singularities", "[convergence][verdict]") {
     const precision_scope scope(most_digits);
     // log(1 - x^2/4)/(1 + x^2/9): only even powers, singular at +-2.

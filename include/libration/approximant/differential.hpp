@@ -80,7 +80,7 @@ inline void run_in_order(std::size_t count, const std::function<void(std::size_t
 }
 
 /// The fits of all tracks to a_0 .. a_n for each n in `lengths` (ascending) for which the system is regular and has at
-/// least five unknowns. An equation that is fitted to all coefficients but the last three and satisfied by these, to the
+/// least five unknowns; without an annulus, which leaves the predictions alone, also those of consistent singular systems. An equation that is fitted to all coefficients but the last three and satisfied by these, to the
 /// working precision, is exact, and one fit of the whole list. Systems have at most 110 unknowns: an equation
 /// that is exact so far is tested on the remaining coefficients by its recurrence. The list should be scaled to a radius
 /// of about 1. Linear algebra in `bits` bits, roots in 320. A task of `run` is a track of U unknowns, O(U^3/3) products.

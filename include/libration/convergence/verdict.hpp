@@ -71,6 +71,8 @@ struct list_verdict {
     double slope = 0;     ///< of the exponent against the relative position, over the family
     double residual = 0;  ///< of the exponents about the line of that slope
     singularity_kind kind = singularity_kind::unknown;
+    /// The modulus of another place that may be the nearest singularity: one that the uncertainty reaches.
+    std::optional<mpfr> rival = std::nullopt;
     int count = 0;                       ///< singularities seen on the circle, symmetric ones included
     bool exact = false;                  ///< by a linear differential equation that the whole list satisfies
     std::vector<ring_member> ring = {};  ///< all singularities seen on the circle, the one of the radius first

@@ -12,6 +12,7 @@
 
 #include "json_lines.hpp"
 #include "libration/convergence/coefficient_list.hpp"
+#include "run/progress.hpp"
 #include "run/stream_content.hpp"
 #include "text/column_file.hpp"
 #include "text/input_error.hpp"
@@ -193,9 +194,51 @@ std::string part_text(const std::vector<list_cells>& lines, const list_layout& c
     return text;
 }
 
+// A list on one line, as it is copied from an encyclopedia of sequences, with one number per line.
+std::string with_lines(std::string content) {
+    const auto lines = lines_of_text(content);
+    const auto first = std::ranges::find_if(lines, [](const list_cells& line) { return !line.empty(); });
+    const auto others = std::ranges::count_if(lines, [](const list_cells& line) { return !line.empty(); }) - 1;
+    if (others != 0 || first->size() < 3 || std::ranges::any_of(*first, is_name)) {
+        return content;
+    }
+    return fmt::format("{}\n", fmt::join(*first, "\n"));
+}
+
+// The numbers n without a line that are few among those with one: a symmetry leaves out every second one or more.
+std::vector<std::size_t> missing_in(const std::vector<list_cells>& lines, const list_layout& columns) {
+    std::vector<std::size_t> missing;
+    std::size_t next = 0;
+    std::size_t count = 0;
+    for (std::size_t i = columns.begin; i < lines.size() && columns.index; ++i) {
+        const std::string cell = lines[i].size() > *columns.index ? lines[i][*columns.index] : "";
+        if (cell.empty() || cell.size() > 9 || cell.find_first_not_of("0123456789") != std::string::npos) {
+            continue;
+        }
+        const std::size_t n = std::stoul(cell);
+        for (; count > 0 && next < n && missing.size() <= lines.size(); ++next) {
+            missing.push_back(next);
+        }
+        next = n + 1;
+        ++count;
+    }
+    return 10 * missing.size() <= count ? missing : std::vector<std::size_t>();
+}
+
+void say_missing(const std::string& content, const std::string& path) {
+    const auto lines = lines_of_text(content);
+    if (const auto missing = missing_in(lines, layout_of(lines)); !missing.empty()) {
+        say_line(fmt::format("--coefficients '{}' has no line for n = {}: read as 0", path, fmt::join(missing, ", ")));
+    }
+}
+
 }  // namespace
 
-std::vector<exact> coefficients_in_file(const std::string& path) { return list_in(content_of_list(path), path); }
+std::vector<exact> coefficients_in_file(const std::string& path) {
+    const std::string content = with_lines(content_of_list(path));
+    say_missing(content, path);
+    return list_in(content, path);
+}
 
 std::vector<named_list> lists_in_file(const std::string& path) {
     std::string content = content_of_list(path);
@@ -209,6 +252,8 @@ std::vector<named_list> lists_in_file(const std::string& path) {
                 "write an array of numbers, of pairs [re, im] or of objects with the keys n and coefficient");
         }
     }
+    content = with_lines(std::move(content));
+    say_missing(content, path);
     const auto lines = lines_of_text(content);
     const list_layout columns = layout_of(lines);
     const bool any_complex = std::any_of(lines.begin(), lines.end(), [](const list_cells& line) {

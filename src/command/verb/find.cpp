@@ -221,8 +221,10 @@ int run_find(find_options options) {
         options.unknowns = numbers_left_open(options.problem);
         if (options.unknowns.empty()) {
             throw input_error(
-                "--problem leaves no parameter or initial value open: add --unknown NAME, or print the "
-                "solution with libration reference");
+                "--problem leaves no parameter or initial value open, and is not mapped to itself by a known reversal "
+                "of time: write a parameter instead of a number and add --unknown NAME, or, if the limits determine "
+                "the "
+                "solution, print it with libration reference");
         }
     }
     if (options.eigenvalue) {

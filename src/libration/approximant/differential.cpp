@@ -58,7 +58,7 @@ public:
             if (system_.length() == last_of_exact() && add_exact()) {
                 break;
             }
-            if (regular && asked && system_.unknowns() >= fewest_unknowns) {
+            if (asked && system_.unknowns() >= fewest_unknowns && (regular || (without_roots() && predicts()))) {
                 add_fit();
             }
         }
@@ -66,6 +66,11 @@ public:
     }
 
 private:
+    bool without_roots() const { return within_.inner >= within_.outer; }
+
+    // A list that satisfies an equation so far makes its systems singular; any solution predicts the next coefficient.
+    bool predicts() const { return system_.length() < last_ && system_.is_consistent(); }
+
     void add_fit() {
         const differential_relation relation = system_.relation();
         differential_fit fit{

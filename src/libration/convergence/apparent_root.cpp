@@ -19,11 +19,8 @@ double log2_largest(const std::vector<mpfr>& values, std::size_t first, std::siz
     return largest;
 }
 
-// The list continued by up to three equations, exact ones or else the sharpest of those that agree on a root, as far as
-// they agree to 10^-6; empty if there is only one.
-std::vector<mpfr> continuation(const approximant_family& family, const root_consensus& root, int count) {
-    const long bits = bits_for(family.order);
-    const precision_scope scope(decimal_digits(bits));
+// Up to three equations, exact ones or else the sharpest of those that agree on a root.
+std::vector<differential_relation> relations_at(const approximant_family& family, const root_consensus& root) {
     std::vector<std::size_t> tracks;
     for (const auto& fit : family.fits) {
         if (fit.exact) {
@@ -36,23 +33,47 @@ std::vector<mpfr> continuation(const approximant_family& family, const root_cons
         }
     }
     tracks.resize(std::min<std::size_t>(tracks.size(), 3));
-    std::vector<std::vector<mpfr>> all;
+    std::vector<differential_relation> relations;
     for (const std::size_t each : tracks) {
         const auto& track = family.tracks[each];
         const int length = std::min(family.order, track.degree + 110);
-        if (const auto relation = relation_of(family.scaled, track, length, bits)) {
-            all.push_back(continued_by(*relation, family.scaled, family.order, count));
+        if (auto relation = relation_of(family.scaled, track, length, bits_for(family.order))) {
+            relations.push_back(*std::move(relation));
         }
     }
-    if (all.size() < 2) {
+    return relations;
+}
+
+// As many terms as these many products give, 2000 at least.
+int affordable_terms(const std::vector<differential_relation>& relations) {
+    constexpr std::size_t most_products = 600'000;
+    std::size_t most = 1;
+    for (const auto& each : relations) {
+        std::size_t size = 0;
+        for (const auto& q : each.q) {
+            size += q.size();
+        }
+        most = std::max(most, size);
+    }
+    return static_cast<int>(std::max<std::size_t>(2000, most_products / most));
+}
+
+// The list continued by these equations, as far as they agree to 10^-6; empty if there is only one.
+std::vector<mpfr> continuation(const approximant_family& family, const std::vector<differential_relation>& relations,
+                               int count) {
+    if (relations.size() < 2) {
         return {};
+    }
+    std::vector<std::vector<mpfr>> all;
+    for (const auto& each : relations) {
+        all.push_back(continued_by(each, family.scaled, family.order, count));
     }
     const std::size_t first = family.scaled.size();
     std::size_t end = first;
     const auto agree = [&](std::size_t i) {
-        return std::ranges::all_of(all, [&](const auto& each) {
-            return isfinite(each[i]) && abs(each[i] - all[0][i]) <= abs(all[0][i]) / 1'000'000;
-        });
+        const mpfr size = std::max(mpfr(abs(all[0][i])), mpfr(abs(all[0][i - 1])));  // of two, since one may be 0
+        return std::ranges::all_of(
+            all, [&](const auto& each) { return isfinite(each[i]) && abs(each[i] - all[0][i]) <= size / 1'000'000; });
     };
     while (end < all[0].size() && agree(end)) {
         ++end;
@@ -60,22 +81,26 @@ std::vector<mpfr> continuation(const approximant_family& family, const root_cons
     return {all[0].begin() + static_cast<std::ptrdiff_t>(first), all[0].begin() + static_cast<std::ptrdiff_t>(end)};
 }
 
-// Whether the list continued by the equations of the sharpest place falls as for the singularity at `next` (none: faster
-// than any) rather than as for one at `root`: the solution is regular at `root`.
-bool is_apparent(const approximant_family& family, const root_consensus& root, const root_consensus* next,
-                 const root_consensus& sharpest) {
+// By whether the list continued by the equations of the sharpest place falls as for the singularity at `next` (none:
+// faster than any) or as for one at `root`.
+nature_of_root nature_by_growth(const approximant_family& family, const root_consensus& root,
+                                const root_consensus* next, const root_consensus& sharpest) {
     const double y = std::log2(root.modulus());
     const double ratio = next == nullptr ? 0 : std::log2(next->modulus()) - y;
-    if (next != nullptr && ratio < 0.02) {
-        return false;
+    if (next != nullptr && (ratio <= 0 || (!root.exact && ratio < 0.02))) {
+        return nature_of_root::undecided;
     }
+    const precision_scope scope(decimal_digits(bits_for(family.order)));
+    const auto relations = relations_at(family, sharpest);
     const int n = family.order;
-    const int asked = next == nullptr ? 2 * n : std::min(2000, std::max(2 * n, static_cast<int>(60 / ratio)));
-    const auto ahead = continuation(family, sharpest, asked);
+    const int most = root.exact ? affordable_terms(relations) : 2000;
+    const int asked =
+        next == nullptr ? 2 * n : std::min(most, std::max(2 * n, static_cast<int>(std::min(60 / ratio, 1e6))));
+    const auto ahead = continuation(family, relations, asked);
     const int w = std::max(6, n / 8);
     const auto m = static_cast<int>(ahead.size());
     if (m < 3 * w) {
-        return false;
+        return nature_of_root::undecided;
     }
     const auto ends = ahead.size();
     const auto window = static_cast<std::size_t>(w);
@@ -88,7 +113,10 @@ bool is_apparent(const approximant_family& family, const root_consensus& root, c
                         : -(std::clamp(next->exponent.value.convert_to<double>(), -9.0, 9.0) + 1) * growth - m * ratio;
     // A place that is much less sharp than one further out is hardly singular: a smaller gap decides.
     const double gap = width_of(root) > 1e6 * width_of(sharpest) ? 2 : 8;
-    return singular - regular > gap && fall < (singular + regular) / 2;
+    if (singular - regular <= gap) {
+        return nature_of_root::undecided;
+    }
+    return fall < (singular + regular) / 2 ? nature_of_root::regular : nature_of_root::singular;
 }
 
 // An exponent 0, 1, .. of equations that agree, or a regular singular point of exact ones.
@@ -102,17 +130,17 @@ bool may_be_apparent(const root_consensus& at) {
 
 }  // namespace
 
-bool is_regular_point(const approximant_family& family, const std::vector<const root_cluster*>& strong) {
+nature_of_root nature_of_nearest(const approximant_family& family, const std::vector<const root_cluster*>& strong) {
     const root_consensus& first = strong.front()->now();
     if (!may_be_apparent(first)) {
-        return false;
+        return nature_of_root::singular;
     }
     const root_consensus& sharpest =
         (*std::ranges::min_element(strong, {}, [](const auto* each) { return width_of(each->now()); }))->now();
     if (!first.exact && first.orders == 1 && sharpest.orders > 1) {
-        return true;
+        return nature_of_root::regular;
     }
-    return is_apparent(family, first, strong.size() > 1 ? &strong[1]->now() : nullptr, sharpest);
+    return nature_by_growth(family, first, strong.size() > 1 ? &strong[1]->now() : nullptr, sharpest);
 }
 
 }  // namespace libration::convergence

@@ -216,7 +216,7 @@ std::vector<const root_cluster*> strong_clusters(const approximant_family& famil
         }
     }
     std::ranges::stable_sort(strong, {}, [](const auto* each) { return each->now().modulus(); });
-    while (!strong.empty() && is_regular_point(family, strong)) {
+    while (!strong.empty() && nature_of_nearest(family, strong) == nature_of_root::regular) {
         strong.erase(strong.begin());
     }
     return strong;

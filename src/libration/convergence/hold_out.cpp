@@ -88,19 +88,20 @@ struct jump {
     double before;  // the largest error of the five before
 };
 
-std::optional<jump> largest_jump(const std::map<int, double>& errors) {
+// Among those above the rounding errors of predictions by an exact equation.
+std::optional<jump> largest_jump(const std::map<int, double>& errors, double rounding) {
     std::optional<jump> best;
     std::vector<double> previous;
     for (const auto& [index, error] : errors) {
         std::vector<double> five(
             previous.end() - std::min<std::ptrdiff_t>(5, static_cast<std::ptrdiff_t>(previous.size())), previous.end());
         previous.push_back(error);
-        if (five.size() < 4) {
+        std::ranges::sort(five);
+        if (five.size() < (five.empty() || five.back() > rounding ? 4U : 3U)) {  // three are enough that are exact
             continue;
         }
-        std::ranges::sort(five);
         const double height = error - five.back();
-        if (height > 2 && error - five[five.size() / 2] > 2.5 && (!best || height > best->height)) {
+        if (error > rounding && height > 2 && error - five[five.size() / 2] > 2.5 && (!best || height > best->height)) {
             best = jump{index, height, five.back()};
         }
     }
@@ -123,7 +124,8 @@ std::pair<double, double> after(const std::map<int, double>& errors, int index) 
 std::optional<suspect_coefficient> find_suspect(std::span<const mpfr> b, const std::map<int, double>& errors,
                                                 double noise, const task_runner& run) {
     const int last = static_cast<int>(b.size()) - 1;
-    const auto found = largest_jump(errors);
+    const double rounding = -0.14 * static_cast<double>(bits_for(last, noise));
+    const auto found = largest_jump(errors, rounding);
     if (!found) {
         return std::nullopt;
     }
@@ -142,7 +144,9 @@ std::optional<suspect_coefficient> find_suspect(std::span<const mpfr> b, const s
     repaired[at] = value;
     const auto again = after(prediction_errors(repaired, std::max(12, found->index - 2), noise, run), found->index);
     const auto given = after(errors, found->index);
-    suspect.confirmed = again.first < std::max(found->before, -60.0) + 1.7 && again.first < given.second - 1;
+    // An equation of higher order, (D - n) L f = 0, may hold for the wrong coefficient, too, a few coefficients later.
+    const double reached = std::max(given.second - 1, std::min(given.first - 1, rounding));
+    suspect.confirmed = again.first < std::max(found->before, -60.0) + 1.7 && again.first < reached;
     return suspect.confirmed ? std::optional(suspect) : std::nullopt;
 }
 

@@ -109,6 +109,9 @@ void scale_lengths(list_verdict& verdict, const mpfr& unit) {
     if (verdict.position) {
         scale(*verdict.position);
     }
+    if (verdict.rival) {
+        *verdict.rival *= unit;
+    }
     for (auto& member : verdict.ring) {
         scale(member.position);
         member.uncertainty *= unit;
@@ -128,6 +131,15 @@ void scale_lengths(list_verdict& verdict, const mpfr& unit) {
         const mpfr power = pow(unit, -verdict.suspect->index);
         verdict.suspect->predicted *= power;
         verdict.suspect->uncertainty *= power;
+    }
+}
+
+// For a list in powers of x^(1/root).
+void name_rival(list_verdict& verdict, int root) {
+    if (verdict.rival) {
+        const std::string at = to_decimal(mpfr(pow(*verdict.rival, root)), 8);
+        verdict.note += verdict.exact ? "; it is not decided whether the list is singular there or first at " + at
+                                      : "; doubtful nearer cluster at " + at;
     }
 }
 
@@ -175,6 +187,7 @@ radius_answers answers_in(const listed_series& list, int root, const task_runner
     const precision_scope scope(decimal_digits(digits<T>()) + radius_guard_digits);
     const mpfr length = widen(found.unit.length);
     scale_lengths(answers.verdict, length);
+    name_rival(answers.verdict, root);
     if (answers.verdict.suspect) {
         const mpfr factor = ldexp(mpfr(1), static_cast<int>(found.unit.exponent));
         answers.verdict.suspect->predicted *= factor;

@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "amplitude.hpp"
+#include "apparent_root.hpp"
 #include "cluster_answer.hpp"
 #include "examined_list.hpp"
 #include "hold_out.hpp"
 #include "libration/convergence/strided_series.hpp"
-#include "libration/scalar/decimal.hpp"
 #include "list_growth.hpp"
 
 namespace libration::convergence {
@@ -93,14 +93,22 @@ private:
 
     mpfr in_x(const mpfr& y) const { return stride_root(y, class_.stride); }
 
+    // A pair that its uncertainty does not distinguish from a point of the axis is what the fits make of one point.
+    static bool is_unresolved(const placed_cluster& each) {
+        const root_consensus& at = each.consensus();
+        return at.position.im != 0 && abs(at.position.im) <= each.uncertainty * at.modulus();
+    }
+    static bool is_real(const placed_cluster& each) { return each.consensus().position.im == 0 || is_unresolved(each); }
+
     ring_member member_of(const placed_cluster& each, const mpfr& unit) const {
         const root_consensus& at = each.consensus();
-        const complex_number<mpfr> w{mpfr(at.position.re * unit), mpfr(at.position.im * unit)};
+        const complex_number<mpfr> w{mpfr(at.position.re * unit),
+                                     is_real(each) ? mpfr(0) : mpfr(at.position.im * unit)};
         ring_member member{.position = stride_root(w, class_.stride), .uncertainty = mpfr(0)};
         member.uncertainty = modulus_of(member.position) * each.uncertainty / class_.stride;
         const auto [exponent, uncertainty] = exponent_at(*each.of, each.at);
-        member.kind = kind_at(*each.of, each.at);
-        if (member.kind != singularity_kind::irregular && uncertainty < 10) {
+        member.kind = is_unresolved(each) ? singularity_kind::unknown : kind_at(*each.of, each.at);
+        if (member.kind != singularity_kind::irregular && uncertainty < 10 && !is_unresolved(each)) {
             member.exponent = exponent;
             member.exponent_uncertainty = mpfr(uncertainty);
         }
@@ -114,7 +122,7 @@ private:
             each.uncertainty =
                 std::max({each.uncertainty, finest_uncertainty, each.consensus().exact ? list_.noise : 0});
             found_.ring.push_back(member_of(each, unit));
-            found_.count += each.consensus().position.im == 0 ? class_.stride : 2 * class_.stride;
+            found_.count += is_real(each) ? class_.stride : 2 * class_.stride;
         }
         const placed_cluster& lead = ring.front();
         const ring_member& first = found_.ring.front();
@@ -135,12 +143,13 @@ private:
         add_family(lead.consensus(), unit);
         widen_drifting(lead);
         describe(lead);
+        admit_undecided(by, unit);
         const double below = lead.lower();
         if (lead.uncertainty > 1e-40) {
             if (const auto nearer = doubtful_nearer(by.family, by.clusters, below)) {
                 const mpfr radius = in_x(mpfr(unit * *nearer));
                 found_.uncertainty = std::max(found_.uncertainty, mpfr(abs(*found_.radius - radius) * 11 / 10));
-                found_.note += "; doubtful nearer cluster at " + to_decimal(radius, 6);
+                found_.rival = radius;
             }
         }
     }
@@ -209,6 +218,24 @@ private:
             }
             drifts_ = true;
         }
+    }
+
+    // An exact equation has a root in front of another one, so near that it is not decided whether the list is singular
+    // at the first: the radius may be that of the second.
+    void admit_undecided(const examined_list& by, const mpfr& unit) {
+        const root_consensus& first = by.strong.front()->now();
+        if (!first.exact || by.strong.size() < 2 ||
+            nature_of_nearest(by.family, by.strong) != nature_of_root::undecided) {
+            return;
+        }
+        found_.rival = in_x(mpfr(modulus_of(by.strong[1]->now().position) * unit));
+        found_.uncertainty = std::max(found_.uncertainty, mpfr(abs(*found_.rival - *found_.radius) * 11 / 10));
+        found_.kind = singularity_kind::unknown;
+        found_.exponent.reset();
+        found_.amplitude.reset();
+        found_.position.reset();
+        found_.ring.clear();
+        found_.count = 0;
     }
 
     void describe(const placed_cluster& lead) {

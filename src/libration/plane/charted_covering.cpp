@@ -142,7 +142,9 @@ void charted_covering::add_piece(std::size_t chart, std::complex<double> centre,
     piece.radius = arf_get_d(radius, ARF_RND_DOWN);
     arf_clear(radius);
     if (!(piece.radius > least_radius * asked_.rho)) {
-        refuse_at(centre, "the discs become too small there, at a singularity of a kind without a chart");
+        refuse_at(centre,
+                  "the discs become too small there, near a singularity of a kind without a chart, or where the "
+                  "solution grows fast");
     }
     pieces_.push_back(std::move(piece));
 }

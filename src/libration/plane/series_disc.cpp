@@ -16,6 +16,7 @@ constexpr std::array<unsigned long, 8> parts_of_series_radius{31'000, 28'800, 26
                                                               20'000, 16'000, 11'000, 6'000};
 constexpr long digits_of_wide_values = 20;
 const magnitude useful_error = magnitude::of(1, -10);
+const magnitude widest_disc = magnitude::of(1, 64);
 
 // Whether the errors are small compared with the unknowns over the disc: without that its rim is of no use.
 bool is_useful(const tail_bound& bound, const taylor_expansion<complex_ball>& expansion, std::size_t unknowns) {
@@ -91,6 +92,9 @@ series_disc::series_disc(const plane_system& of, complex_ball centre, const std:
         throw precision_exhausted("the radius about a point of the plane");
     }
     tail_ = *std::move(tail);
+    if (widest_disc < tail_.radius) {  // of a polynomial; its error holds in a smaller disc, too
+        tail_.radius = widest_disc;
+    }
     for (std::size_t i = 0; i < carried.size(); ++i) {
         const complex_ball* const first = expansion.coefficients(static_cast<int>(i));
         coefficients_.emplace_back(first, first + order + 1);

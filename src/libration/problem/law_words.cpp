@@ -259,9 +259,11 @@ answer singularities_of_law(const ode::coefficient_law& law, const std::string& 
                             "coefficient_im", "rho", "mean", "first"},
                   .rows = {},
                   .rigour = "proved"};
+    int doubtful = 0;  // singularities of the equation at which the solution may be regular
     const auto add = [&](const complex_ball& place, bool real, const auto& leading_at) {
         for (const int sign : real ? std::vector{1} : std::vector{1, -1}) {
             const leading_term of = leading_at(sign);
+            doubtful += of.known ? 0 : 1;
             const ball modulus = real ? abs(place.re) : ball(sqrt(ball(place.re * place.re + place.im * place.im)));
             const auto im = [&](const complex_ball& z) { return decimal_of(ball(z.im * sign), digits); };
             result.rows.push_back({decimal_of(place.re, digits),
@@ -309,14 +311,18 @@ answer singularities_of_law(const ode::coefficient_law& law, const std::string& 
     const std::string stride = law.stride() > 1 ? "; a_n = 0 unless n = " + std::to_string(law.residue()) + " mod " +
                                                       std::to_string(law.stride())
                                                 : "";
+    const std::string all = doubtful == 0
+                                ? "these are all singularities in |t - t0| <= " + rho + ": " + std::to_string(count)
+                                : "all singularities in |t - t0| <= " + rho + " are among these " +
+                                      std::to_string(count) + " places, at " + std::to_string(doubtful) +
+                                      " of which it is not decided whether the solution is singular";
     result.notes = {
         {"law", "for all n >= " + std::to_string(first) + ": " + words_of_shift(law) + main_words(law, printed)},
         {"error", reduced},
-        {"proved", "of " + name +
-                       ", continued along rays from the initial point, these are all singularities in |t - t0| <= " +
-                       rho + ": " + std::to_string(count) + ", by " + std::to_string(law.discs()) + " discs in " +
-                       std::to_string(law.charts()) + (law.charts() == 1 ? " chart" : " charts") +
-                       "; the law holds for every n from " + std::to_string(first) + " on" + stride}};
+        {"proved", "of " + name + ", continued along rays from the initial point, " + all + ", by " +
+                       std::to_string(law.discs()) + " discs in " + std::to_string(law.charts()) +
+                       (law.charts() == 1 ? " chart" : " charts") + "; the law holds for every n from " +
+                       std::to_string(first) + " on" + stride}};
     return result;
 }
 

@@ -116,6 +116,14 @@ private:
             return;
         }
         const auto open = open_in(e);
+        if (open.empty() && e.fraction()) {
+            throw error(error_kind::argument, error_subject::conditions, "",
+                        "is not the limit of a constant solution: " + form_.names[k] +
+                            " grows with the time, which is supported only for boundary layers that one equation in " +
+                            form_.names[k] +
+                            " determines, f''' = -a*f*f'' + q(f'), with quantities T'' = -c*f*T' that it carries: give "
+                            "the limits of an equilibrium");
+        }
         if (open.empty()) {
             throw error(error_kind::argument, error_subject::conditions, "",
                         "is not the limit of a constant solution: the derivative of " + form_.names[k] +

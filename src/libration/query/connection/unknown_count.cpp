@@ -40,6 +40,12 @@ void require_square(const connection_map& map, std::size_t unknowns) {
                         " lead there: leave out the unknowns, ask for another limit, or, along the fastest directions "
                         "alone, write fast after the limit");
     }
+    if (unknowns == 0 && others < n) {
+        throw error(error_kind::argument, error_subject::unknowns, "",
+                    "is missing: " + what + " determine " + count_of(n - others, "number") + ", since of " +
+                        count_of(n, "component") + " of the state " + count_of(stable, "direction") +
+                        " of exponential decay: name as many parameters or initial values by --unknown");
+    }
     if (unknowns + others != n) {
         throw error(error_kind::argument, error_subject::unknowns, std::to_string(unknowns),
                     "is not the number that " + what + " determine, " + std::to_string(n - others) +
