@@ -40,29 +40,31 @@ struct lane_rows {
 /// those of single steps wherever the compiler does not fuse either, as by default on x86-64.
 class step_lanes {
 public:
-    /// A single step, or consecutive groups.
+    /// Consecutive single steps, or consecutive groups.
     struct entry {
         bool alone;
-        std::size_t first;  ///< the step, or the first group
+        std::size_t first;  ///< the first of alone(), or the first group
         std::size_t count;
-        /// The transfers from the arrays of steps into rows after a step, and back after groups.
+        /// The transfers from the arrays of steps into rows after single steps, and back after groups.
         std::size_t first_transfer;
         std::size_t transfers;
     };
 
     step_lanes() = default;
     /// For a tape about any point, whose step i has its coefficients at arrays + i length, which must not move.
-    /// factors[i] is the constant of step i, or its numerator if it has none.
+    /// factors[i] is the constant of step i, or the factor numerator/denominator if it has none.
     step_lanes(const tape& of, double* arrays, std::size_t length, const std::vector<double>& factors);
 
     /// Whether there is no group.
     bool empty() const { return groups_.empty(); }
     const std::vector<entry>& order() const { return order_; }
+    /// The single steps, in their order.
+    const std::vector<int>& alone() const { return alone_; }
     /// To be called after the coefficients 0 of all steps.
     void begin();
     /// To be called after coefficient n > 0 of the unknowns.
     void take_states(int n);
-    /// To be called after coefficient n > 0 of a single step.
+    /// To be called after coefficient n > 0 of single steps.
     void take(const entry& alone, int n);
     /// Computes coefficient n > 0 of some groups; the coefficients that are read from the arrays are stored there.
     void run(const entry& groups, int n);
@@ -77,6 +79,7 @@ private:
     class builder;
 
     std::vector<entry> order_;
+    std::vector<int> alone_;
     std::vector<lane_group> groups_;
     std::vector<transfer> states_;
     std::vector<transfer> transfers_;

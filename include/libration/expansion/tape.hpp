@@ -2,6 +2,7 @@
 // executes.
 #pragma once
 
+#include <bit>
 #include <optional>
 #include <vector>
 
@@ -87,6 +88,12 @@ struct tape_step {
     int residue = 0;
     /// The value at the initial point if it is known exactly.
     std::optional<number> centre = {};
+
+    /// Of scaled: whether a product with one number in binary rounds like that with the numerator and the division.
+    bool has_one_factor() const {
+        return constant >= 0 || denominator == 1 ||
+               ((numerator == 1 || numerator == -1) && std::has_single_bit(static_cast<unsigned>(denominator)));
+    }
 };
 
 /// The step of a derivative of an unknown on the tape.

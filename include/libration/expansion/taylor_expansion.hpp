@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <concepts>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -68,8 +69,11 @@ public:
     /// The polynomials of degree N of the unknowns and of their lower derivatives, by Horner's rule, at a distance from
     /// the point; if the root is not 1, at nonzero distances only, and by the principal value of the root.
     solution_state<R> at(const R& distance) const;
+    /// The same into a state that may have been used before: then nothing is allocated in hardware scalars.
+    void at(const R& distance, solution_state<R>& state) const;
 
 private:
+    void values_at(const R& distance, solution_state<R>& state) const requires std::floating_point<R>;
     R* array(int step) { return arrays_.array(step); }
     const R* array(int step) const { return arrays_.array(step); }
 
@@ -181,10 +185,17 @@ void taylor_expansion<R>::run_placed(int steps_until,
     if (placed_.empty()) {
         placed_ = placed_steps<R>(*tape_, arrays_.array(0), arrays_.length(), arrays_.constants(), states_);
     }
-    for (int n = 0; n < order_; ++n) {
-        if (n <= steps_until) {
-            placed_.run(n, [&](int index) { arrays_.compute(index, n); });
+    const std::function<void(int, int)> otherwise = [this](int index, int n) { arrays_.compute(index, n); };
+    const int last = std::min(steps_until, order_ - 1);
+    if (known.empty()) {
+        placed_.run(0, last, otherwise);
+    } else {
+        for (int n = 0; n <= last; ++n) {
+            placed_.run(n, n, otherwise);
+            set_known(n + 1, known);
         }
+    }
+    for (int n = std::max(last + 1, 0); n < order_; ++n) {
         placed_.advance(n);
         set_known(n + 1, known);
     }
@@ -267,18 +278,7 @@ solution_state<R> taylor_expansion<R>::at(const R& distance) const {
     result.reserve(states_.size());
     if constexpr (std::is_floating_point_v<R>) {
         if (!tape_->is_singular()) {  // the series of the derivatives are available
-            for (const auto& of_unknown : states_) {
-                auto& values = result.emplace_back();
-                values.reserve(of_unknown.size());
-                for (const int step : of_unknown) {
-                    const R* const y = array(step);
-                    R value = y[order_];
-                    for (int n = order_ - 1; n >= 0; --n) {
-                        value = value * distance + y[n];
-                    }
-                    values.push_back(value);
-                }
-            }
+            values_at(distance, result);
             return result;
         }
     }
@@ -299,6 +299,30 @@ solution_state<R> taylor_expansion<R>::at(const R& distance) const {
         }
     }
     return result;
+}
+
+template <field R>
+void taylor_expansion<R>::at(const R& distance, solution_state<R>& state) const {
+    if constexpr (std::is_floating_point_v<R>) {
+        if (!tape_->is_singular()) {
+            values_at(distance, state);
+            return;
+        }
+    }
+    state = at(distance);
+}
+
+template <field R>
+void taylor_expansion<R>::values_at(const R& distance, solution_state<R>& state) const requires std::floating_point<R> {
+    polynomial_values<R> several(order_, distance);
+    state.resize(states_.size());
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+        state[i].resize(states_[i].size());
+        for (std::size_t j = 0; j < states_[i].size(); ++j) {
+            several.add(array(states_[i][j]), state[i][j]);
+        }
+    }
+    several.end();
 }
 
 #ifdef LIBRATION_COMPILED

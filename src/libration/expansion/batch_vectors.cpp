@@ -114,7 +114,7 @@ private:
     vector later_;  // b_{n+1-k} for the next k
 };
 
-// sum_{k=first}^{last} a_k b_{n-k}, term by term as in sum_in_fours (placed_steps.hpp), for n = 0, 1, 2, .. in turn,
+// sum_{k=first}^{last} a_k b_{n-k}, term by term as in sum_in_fours (step_kernels.cpp), for n = 0, 1, 2, .. in turn,
 // with last + 1 for n + 1; at an even n, `ahead` receives the inner terms for n + 1.
 HWY_INLINE vector sum_of_products(const column& a, const column& b, int n, int first, int last, double* ahead) {
     const doubles d;
@@ -189,7 +189,7 @@ HWY_INLINE two_sums sums_with_both(const column& a, const column& b, const colum
     return {with_b.crosswise(), with_c.crosswise()};
 }
 
-// sum_{k=0}^{n} a_k b_{n-k} and the same with c, term by term as in run_sine_cosine (placed_steps.hpp): of an even
+// sum_{k=0}^{n} a_k b_{n-k} and the same with c, term by term as in sine_cosine (step_kernels.cpp): of an even
 // degree together with the inner terms of the next one, which ahead_b and ahead_c receive.
 HWY_INLINE two_sums sums_by_slope(const column& a, const column& b, const column& c, int n, double* ahead_b,
                                   double* ahead_c) {

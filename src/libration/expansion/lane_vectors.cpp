@@ -32,7 +32,7 @@ private:
     std::size_t length_;
 };
 
-// sum_{k=first}^{last} a_k b_{n-k}, term by term as in sum_in_fours (placed_steps.hpp).
+// sum_{k=first}^{last} a_k b_{n-k}, term by term as in sum_in_fours (step_kernels.cpp).
 HWY_INLINE vector sum_of_products(const column& a, const column& b, int n, int first, int last) {
     const doubles d;
     if (first >= last) {

@@ -10,7 +10,7 @@ namespace libration::ode {
 /// Rows are padded by this number after each group.
 inline constexpr std::size_t widest_vector = 8;
 
-/// n > 0. Sums like sum_in_fours (placed_steps.hpp), separately in each lane.
+/// n > 0. Sums like sum_in_fours (step_kernels.cpp), separately in each lane.
 void run_lanes(std::span<const lane_group> groups, lane_rows& rows, int n);
 
 }  // namespace libration::ode

@@ -27,7 +27,7 @@ bool has_lanes(const tape_step& step) {
         case operation::square:
         case operation::quotient:
         case operation::square_root: return true;
-        case operation::scaled: return step.constant >= 0 || step.denominator == 1;
+        case operation::scaled: return step.has_one_factor();
         case operation::constant:
         case operation::variable:
         case operation::state:
@@ -186,15 +186,19 @@ private:
     }
 
     void add_alone(int step) {
-        const std::size_t first = to_.transfers_.size();
+        if (to_.order_.empty() || !to_.order_.back().alone) {
+            to_.order_.push_back({true, to_.alone_.size(), 0, to_.transfers_.size(), 0});
+        }
+        to_.alone_.push_back(step);
+        ++to_.order_.back().count;
         for (int i = step;
              i == step || (i < static_cast<int>(of_.steps().size()) && step_at(i).kind == operation::companion); ++i) {
             if (in_rows_.contains(i)) {
                 places_[i] = new_places({i});
                 to_.transfers_.push_back({array(i), places_[i]});
+                ++to_.order_.back().transfers;
             }
         }
-        to_.order_.push_back({true, static_cast<std::size_t>(step), 1, first, to_.transfers_.size() - first});
     }
 
     // The position of contiguous operands, or the one to which they are gathered, with the indices appended.

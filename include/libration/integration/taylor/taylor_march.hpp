@@ -89,7 +89,11 @@ public:
                 throw_not_reached(t);
             }
         }
-        state_ = at_start_ && t == origin_ ? start_state() : current().at(T(t - centre_));
+        if (at_start_ && t == origin_) {
+            state_ = start_state();
+        } else {
+            current().at(T(t - centre_), state_);
+        }
         return state_;
     }
 
@@ -154,10 +158,10 @@ private:
     }
 
     void move(const T& to) {
-        const solution_state<T> there = current().at(T(to - centre_));
+        current().at(T(to - centre_), next_);
         at_start_ = false;
         centre_ = to;
-        other_.about(to, there);
+        other_.about(to, next_);
         measure(1);
         ++steps_;
     }
@@ -167,12 +171,12 @@ private:
         const tape& of = at_start_ ? start_ : points_;
         const int order = current().order();
         const int window = at_start_ ? std::max(2, of.stride()) : 2;
-        std::vector<coefficient_size> last;
+        sizes_.clear();
         for (int n = order - window + 1; n <= order; ++n) {
-            last.push_back({n, size_of(n)});
+            sizes_.push_back({n, size_of(n)});
         }
         const long size = std::max(1L, size_of(0));
-        const step_length h = accuracy_.bits == 0 ? taylor_step(size, last) : taylor_step(size, last, accuracy_);
+        const step_length h = accuracy_.bits == 0 ? taylor_step(size, sizes_) : taylor_step(size, sizes_, accuracy_);
         using std::ldexp;
         unlimited_ = h.mantissa == 0;
         length_ = unlimited_ ? T(0) : T(ldexp(T(h.mantissa), static_cast<int>(h.exponent)));
@@ -189,11 +193,11 @@ private:
         using std::ldexp;
         const T* const a = current().watched(hidden);
         const int last = current().order() - *std::max_element(points_.orders().begin(), points_.orders().end());
-        std::vector<coefficient_size> sizes;
+        sizes_.clear();
         for (int n = std::max(1, last - 1); n <= last; ++n) {
-            sizes.push_back({n, binary_exponent(a[n])});
+            sizes_.push_back({n, binary_exponent(a[n])});
         }
-        const step_length h = taylor_step(std::max(1L, binary_exponent(a[0])), sizes);
+        const step_length h = taylor_step(std::max(1L, binary_exponent(a[0])), sizes_);
         const T most = T(ldexp(T(h.mantissa), static_cast<int>(h.exponent)));
         if (h.mantissa != 0 && (unlimited_ || most < length_)) {
             unlimited_ = false;
@@ -244,6 +248,8 @@ private:
     int way_ = 0;
     long steps_ = 1;
     solution_state<T> state_;
+    solution_state<T> next_;               ///< at the next point
+    std::vector<coefficient_size> sizes_;  ///< of the last coefficients; these two are kept, not to be allocated again
 };
 
 /// The computed part of a solution at a list of times.
