@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "../equation/emptied_store.hpp"
+#include "../equation/varied_value.hpp"
 #include "branch_beginning.hpp"
 #include "libration/equation/identities.hpp"
 #include "libration/scalar/error.hpp"
@@ -89,6 +90,11 @@ private:
             return constant;
         }
         const expression u = system_.argument(i, values);
+        if (system_.is_kept(u) && !is_varied(system_, u)) {
+            if (const auto kept = at_.exact_value(u)) {
+                return system_.step_value(i, *kept);
+            }
+        }
         if (system_.steps()[i].kind == step_kind::sign) {
             if (const auto sign = at_.sign(u); sign && *sign != 0) {
                 return sign_number(*sign);
