@@ -66,8 +66,6 @@ PROBLEMS = [
      lambda: 3 + mp.log(mp.tan(1) / 2) - mp.log(mp.tan(half))),
     ("x' = 1; y' = cos(3*x)/x - cos(x)/x; x(0) = -1; y(0) = 0", 3, "y",
      lambda: (mp.ci(6) - mp.log(3) - mp.ci(2)) - (mp.ci(3) - mp.log(3) - mp.ci(1))),
-    ("y' = sin(pi*t)/(t - t^2); y(-1/2) = 0", "3/2", "y",
-     lambda: 2 * (mp.si(3 * mp.pi / 2) + mp.si(mp.pi / 2))),
 ]
 
 if __name__ == "__main__":

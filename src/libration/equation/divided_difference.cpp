@@ -253,10 +253,7 @@ std::optional<number> function_of_one::value(const expression& e, const number& 
         case node_kind::power: return power(*a, *b);
         case node_kind::function:
             if (is_relative_function(e) && !is_proved_zero(*a)) {
-                // No precision decides their zeros, which for sinc(a) = cosrel(1, a) are those of sin(a).
-                const bool sine =
-                    e.function() == function_kind::sinc || (e.function() == function_kind::cosrel && e.order() == 1);
-                return sine ? std::optional(apply(function_kind::sin, *a) / *a) : std::nullopt;
+                return std::nullopt;  // whose zeros, as pi of sinc, no precision decides
             }
             return e.has_order() ? apply(e.function(), e.order(), *a) : apply(e.function(), *a);
         case node_kind::constant:

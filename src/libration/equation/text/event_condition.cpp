@@ -160,8 +160,13 @@ private:
         const expression a = at(g, parameter(step.parameter));
         const expression b = -partial(g, parameter(step.parameter));
         const expression slope = partial(u, variable());
+        // b u, also for u = w/b and u = -w/b with a parameter b.
+        const auto is_divisor = [&](const expression& e) {
+            return u.kind() == node_kind::quotient && is_identically_zero(u.right() - e);
+        };
+        const expression whole = is_divisor(b) ? u.left() : is_divisor(-b) ? -u.left() : b * u;
         if (slope.has_variable() || b.has_variable() || b.is(0) ||
-            !is_identically_zero(partial(a, variable()) - b * slope / d)) {
+            !is_identically_zero(partial(a - whole / d, variable()))) {
             return std::nullopt;
         }
         const expression rho = at(u, variable()) / d - at(a, variable()) / b;
