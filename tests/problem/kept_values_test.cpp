@@ -63,6 +63,9 @@ TEST_CASE("values that resets alone change are exact numbers in conditions", "[p
         {"y' = 1; y(0) = 0" + third, "2", "z", 2},
         // A level that resets move, from the exact value.
         {"x' = 1; x(0) = 0; m' = 0; m(0) = 1; when x > m: m = 2*m", "5", "m", 8},
+        // Fractions of 2 n bits, and more; numbers that are not fractions.
+        {"q' = 0; q(0) = 1/3; z' = if(q == 1, 5, 1); z(0) = 0; when mod(16*t, 1) == 1/2: q = (q^2 + 1)/2", "1", "z", 1},
+        {"q' = 0; q(0) = pi; z' = if(q > pi, 5, 1); z(0) = 0; when t = 1: q = q*1", "2", "z", 2},
         // Not exact, and decided nevertheless.
         {"x' = 1; x(0) = 0; q' = 0; q(0) = 0; z' = if(q > 2, 1, 0); z(0) = 0; when t = 1: q = exp(x)", "3", "z", 2},
     });

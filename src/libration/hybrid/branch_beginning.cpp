@@ -22,6 +22,13 @@ ball neighbourhood(const ball& x) {
     return widened(x, size.shifted(-static_cast<long>(mpfr_get_prec(handle(mpfr()))) / 2));
 }
 
+bool is_short_fraction(const number& x) {
+    constexpr std::size_t most_bits = 4096;
+    const auto bits = [](const integer& n) { return mpz_sizeinbase(n.backend().data(), 2); };
+    const auto fraction = x.fraction();
+    return fraction && bits(numerator(*fraction)) <= most_bits && bits(denominator(*fraction)) <= most_bits;
+}
+
 }  // namespace
 
 std::vector<expression> slopes_in_given(const explicit_system& system) {
@@ -148,6 +155,9 @@ kept_values branch_beginning::kept() const {
     kept_values all;
     for (const expression& leaf : system_.leaves()) {
         all.push_back(system_.is_kept(leaf) ? exact_value(leaf) : std::nullopt);
+        if (all.back() && !kept_.empty() && is_reset(leaf) && !is_short_fraction(*all.back())) {
+            all.back().reset();  // many resets would make it long
+        }
     }
     return all;
 }

@@ -43,7 +43,8 @@ public:
     ball value(const expression& e) const;
     /// The value at (t*, a) by exact arithmetic; std::nullopt if it is not known exactly.
     std::optional<number> exact_value(const expression& e) const;
-    /// The values of the leaves that nothing changes on the branch, as far as they are known exactly.
+    /// The values of the leaves that nothing changes on the branch, as far as they are known exactly: initial values, and
+    /// fractions of at most 4096 bits after resets.
     kept_values kept() const;
     /// The sign at (t*, a). 0 only if that is proved: by exact arithmetic; because the function, after the resets, is
     /// identically 0, or 0 wherever one of the functions that are 0 there is. std::nullopt if it is not decided.
