@@ -5,21 +5,13 @@
 #include <array>
 
 #include "attack/printed_values.hpp"
+#include "attack/step_terms.hpp"
 
 namespace libration::attack {
-
-namespace {
-
-bool holds(const std::string& relation, long n, long level) {
-    return relation == "==" ? n == level : relation == "!=" ? n != level : relation == ">=" ? n >= level : n > level;
-}
-
-}  // namespace
 
 // n begins with `first`, grows by one whenever a period ends, and from `most` on begins with 0 again; z has one slope while
 // a condition on n holds, and else another one.
 outcome ask_mode(choices& next) {
-    static constexpr std::array<const char*, 4> relations{"==", "!=", ">=", ">"};
     const rational period(next.between(1, 9), next.between(1, 4));
     const rational rate(next.between(1, 9), next.between(1, 3));
     const rational first_of_saw = next.one_in(2) ? rational(0) : rational(period / next.between(2, 4));
@@ -27,7 +19,7 @@ outcome ask_mode(choices& next) {
     const long most = next.between(1, 4);
     const bool begins_again = next.one_in(2) && first < most;
     const long level = next.between(-1, 3);
-    const std::string relation = relations[static_cast<std::size_t>(next.below(4))];
+    const std::string relation = any_relation(next);
     const rational inside(next.between(-5, 5), 2);
     const rational outside(next.between(-5, 5), 3);
     // Of the first end of a period.
@@ -51,7 +43,7 @@ outcome ask_mode(choices& next) {
         rational gone = 0;
         for (rational end = until;; end += period) {
             const rational last = std::min(end, time);
-            z += (last - gone) * (holds(relation, n, level) ? inside : outside);
+            z += (last - gone) * (holds(relation, n < level ? -1 : n > level ? 1 : 0) ? inside : outside);
             gone = last;
             if (end > time) {
                 break;
