@@ -50,7 +50,7 @@ expression base_of(expression e) {
 
 bool has_no_value_below_zero(const expression& e) {
     const auto exponent = e.kind() == node_kind::power ? e.right().fraction() : std::nullopt;
-    return (exponent && denominator(*exponent) != 1) ||
+    return (exponent && denominator(*exponent) != 1 && *exponent > 0) ||
            (e.kind() == node_kind::function && e.function() == function_kind::sqrt);
 }
 
@@ -72,6 +72,8 @@ std::string small_divisor_text(const explicit_system& system, const ball& time, 
                 if (is_finite(value) && (!smallest || magnitude(value) < smallest->first)) {
                     smallest = {magnitude(value), base};
                     ends = has_no_value_below_zero(e);
+                } else if (smallest && !has_no_value_below_zero(e) && same_form(base, smallest->second)) {
+                    ends = false;  // it divides, too
                 }
             }
             return true;

@@ -14,7 +14,7 @@ namespace libration::ode {
 /// root also what to write for a store that remains empty.
 std::string small_divisor_text(const explicit_system& system, const ball& time, const std::vector<ball>& state);
 
-/// Whether a node is a root or another power that is not whole, which has no real value where its argument is negative.
+/// Whether a node is a root or another positive power that is not whole, which has no real value where its argument is negative.
 bool has_no_value_below_zero(const expression& e);
 
 }  // namespace libration::ode
