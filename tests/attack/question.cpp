@@ -78,6 +78,7 @@ const std::vector<statement_kind>& statement_kinds() {
         {"algebraic", "unknowns of algebraic equations", 10, ask_algebraic},
         {"jump", "events that change the solution", 10, ask_jump},
         {"branch", "piecewise right-hand sides", 10, ask_branch},
+        {"mode", "counters that events alone change, in conditions", 20, ask_mode},
         {"root of time", "values across, from and up to a time with a root", 10, ask_root_time},
         {"limit", "limits at equilibria", 10, ask_limit},
         {"connection", "unknowns for which a solution has limits at infinity", 20, ask_connection},

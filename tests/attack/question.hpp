@@ -51,6 +51,7 @@ outcome ask_removable(choices& next);
 outcome ask_algebraic(choices& next);
 outcome ask_jump(choices& next);
 outcome ask_branch(choices& next);
+outcome ask_mode(choices& next);
 outcome ask_root_time(choices& next);
 outcome ask_limit(choices& next);
 outcome ask_connection(choices& next);

@@ -111,7 +111,8 @@ TEST_CASE("wrong systems are told what is wrong", "[ode][explicit_system]") {
          "leave out the condition elsewhere and solve for an initial value with `libration find --such-that`"},
         {"y' = y; y(0) = 1; y(0) = 1", "problem 'y' at line 1, column 19 has two initial values: give it only one"},
         {"y' = y; y(0) = 1; y'(0) = 1",
-         "problem 'y'' at line 1, column 19 has no free initial value, since the equations determine it: leave it out"},
+         "problem 'y'' at line 1, column 19 is the highest derivative, and no initial value of the state: leave it "
+         "out"},
         {"y' = y; z(0) = 1",
          "problem 'z(0) = 1' at line 1, column 9 is not an initial value of an unknown: add an equation with z'"},
         {"y' = y; y(0) = a; a = b; b = 2*a",

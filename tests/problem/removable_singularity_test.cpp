@@ -53,7 +53,7 @@ ode::expression right_side(const std::string& text) {
 
 TEST_CASE("solutions cross removable singularities in every scalar", "[problem][removable]") {
     const auto all = problems_of("removable.txt");
-    CHECK(all.size() == 17);
+    CHECK(all.size() == 21);
     const precision_scope scope(60);
     for (const crossed_problem& each : all) {
         INFO(each.text);

@@ -88,6 +88,14 @@ TEST_CASE("what touches 0 is not decided, and an event that does not come before
     CHECK_THROWS_WITH(proved_events(explicit_system(system), request, 20), Catch::Contains("3 were found"));
 }
 
+// The first zero of Lane and Emden's function of index 3/2 is at 3.65375373622.
+TEST_CASE("an event where a root of it ends is refused with the reason, and a small value is found", "[ode][proved]") {
+    const std::string star = "y'' + 2/x*y' = -y^(3/2); y(0) = 1; y'(0) = 0";
+    CHECK_THROWS_WITH(events_of(star, "y = 0", 1, 15), Catch::Contains("search for a small value instead"));
+    CHECK(events_of(star, "y = 10^-15", 1, 12).front().time.text == "3.65375373622");
+    CHECK_THROWS_WITH(events_of("y' = y^2; y(0) = 1", "y = -1", 1, 15), !Catch::Contains("small value"));
+}
+
 TEST_CASE("zeros of higher order of functions of the time are found at exact numbers", "[ode][proved]") {
     const std::string growth = "y' = y; y(0) = 1";
     const std::string product = "(t - 1)^2*(t - 3)^3*(t - 4) = 0";

@@ -27,6 +27,15 @@ TEST_CASE("a divisor that is nearly 0 is stated with a bound where the solution 
     CHECK_THAT(reason_at_two("y' = log(1 - t) - y; y(0) = 1"), Contains("there |-t + 1| <= "));
 }
 
+TEST_CASE("a root of what becomes 0 is stated with what to write for a store, a divisor is not", "[ode][proved]") {
+    const std::string remedy = "write if(20*h > 0, .., 0)";
+    CHECK_THAT(reason_at_two("h' = -2*sqrt(2*10*h); h(0) = 1"), Contains("there |20*h| <= ") && Contains(remedy));
+    CHECK_THAT(reason_at_two("h' = -1/sqrt(h); h(0) = 1"), Contains("there |h| <= ") && !Contains("write if"));
+    CHECK_THAT(
+        reason_at_two("x'' = -x/(x^2+y^2)^(3/2); y'' = -y/(x^2+y^2)^(3/2); x(0) = 1; y(0) = 0; x'(0) = 0; y'(0) = 0"),
+        !Contains("write if"));
+}
+
 TEST_CASE("no divisor is stated where none is nearly 0", "[ode][proved]") {
     for (const std::string each : {"y' = 1 + y^2; y(0) = 0", "y' = y^2/(2 + t); y(0) = 4"}) {
         INFO(each);

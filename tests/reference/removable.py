@@ -58,6 +58,14 @@ PROBLEMS = [
     ("y' = log(x)/(x^3 - 1); x' = 1; x(0) = 1/2; y(0) = 0", 1, "y",
      lambda: integral(lambda u: extended(lambda h: mp.log1p(h) / h, mp.mpf(1))(u - 1) / (u * u + u + 1),
                       half, 3 * half)),
+    ("x' = 1; y' = coth(x) - 1/x; x(0) = -1; y(0) = 0", 3, "y",
+     lambda: mp.log(mp.sinh(2) / 2) - mp.log(mp.sinh(1))),
+    ("y' = 1/tanh(t) - 1/t + cos(t); y(-1) = 0", 2, "y",
+     lambda: mp.log(mp.sinh(2) / 2) - mp.log(mp.sinh(1)) + mp.sin(2) + mp.sin(1)),
+    ("x' = 1; y' = 2*x - 1/x + 1/sin(x); x(0) = -1; y(0) = 0", 3, "y",
+     lambda: 3 + mp.log(mp.tan(1) / 2) - mp.log(mp.tan(half))),
+    ("x' = 1; y' = cos(3*x)/x - cos(x)/x; x(0) = -1; y(0) = 0", 3, "y",
+     lambda: (mp.ci(6) - mp.log(3) - mp.ci(2)) - (mp.ci(3) - mp.log(3) - mp.ci(1))),
 ]
 
 if __name__ == "__main__":

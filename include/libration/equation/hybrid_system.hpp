@@ -44,7 +44,7 @@ struct surface {
 number floor_of(const number& x, const number& divisor);
 
 /// The sign of the quotient of two expressions if it is a constant that is found: for equal or opposite forms, and for
-/// linear expressions with fractions as coefficients; 0 for others.
+/// linear expressions, or sums of the same other expressions, with fractions as coefficients; 0 for others.
 int relative_sign(const expression& a, const expression& b);
 
 /// The derivative of the state with respect to a number, if its values are unknowns of the same system: for each value
@@ -71,6 +71,11 @@ public:
     const std::vector<state_variation>& variations() const { return variations_; }
     void add_variation(state_variation variation) { variations_.push_back(std::move(variation)); }
 
+    /// Whether an expression depends on the state, but only on values that nothing except resets changes: of an unknown n
+    /// with n' = 0, or a derivative x' with x'' = 0, that is not itself a derivative with respect to a number.
+    bool is_kept(const expression& e) const;
+    /// Whether so does the condition of an event on step functions, which then begins to hold by a reset alone.
+    bool is_kept(const state_event& event) const;
     /// Whether the condition of an event on step functions holds where they have these values; false for other events.
     bool holds(const state_event& event, const step_values& values) const;
 
@@ -90,9 +95,11 @@ public:
     std::vector<bool> influences_on(const expression& e) const;
     /// The argument of a step function, where earlier ones have these values.
     expression argument(std::size_t step, const step_values& values) const;
+    /// Its value for a number as its argument.
+    number step_value(std::size_t step, const number& argument) const;
     /// Its value if the argument is constant on the branch.
     std::optional<number> constant_step(std::size_t step, const step_values& values) const;
-    /// Whether it is a sign that is 0 on the branch although its argument is not constant.
+    /// Whether it is a sign that is 0 on the branch although its argument is not constant, nor kept between events.
     bool is_at_rest(std::size_t step, const step_values& values) const;
     /// Whether it is such a sign along the surface of which the solution slides: the right-hand side of the branch is the
     /// convex combination of those on both sides along which the argument remains 0 (theorem H, "Sliding").
@@ -114,6 +121,7 @@ private:
     std::vector<definition> parameters_on(std::size_t step, const step_values& values) const;
     void read_starts(parameter_values& parameters);
     void read_dependence();
+    void read_still_leaves();
     void add_influences(const expression& e, std::set<std::string>& unknowns, std::vector<bool>& steps) const;
     void require_state_in_events() const;
     std::vector<expression> levels(std::size_t step, const expression& u, const number& value) const;
@@ -123,6 +131,7 @@ private:
     std::vector<number> starts_;
     number point_;
     std::vector<state_variation> variations_;
+    std::vector<bool> still_;  // the leaves with the slope 0 on each branch
     std::map<std::string, std::size_t> step_places_;
     std::map<std::string, std::size_t> equation_places_;  // of unknowns; empty if one is not given explicitly
 };

@@ -35,7 +35,11 @@ struct path_event {
     std::string text;                   ///< the condition as written
 };
 
+/// For each value of the state the number that it is exactly, if that is known; empty if none is.
+using kept_values = std::vector<std::optional<number>>;
+
 class branch_beginning;
+struct initial_mode;
 class branch_search;
 struct crossed_surface;
 struct found_crossing;
@@ -51,6 +55,7 @@ struct path_piece {
     std::optional<state_set> set = {};            ///< the same less wide, if it is known
     std::optional<ball> begins = {};              ///< the time of the event at which it begins, unless that is exact
     std::vector<ball> on_the_way = {};            ///< the states at the times of that ball, after the event
+    kept_values kept = {};                        ///< on the whole branch
 };
 
 /// The rule for the steps on all branches with these equations.
@@ -70,7 +75,9 @@ struct followed_mode {
 ///
 /// At the beginning of each branch mode_after (initial_mode.hpp) decides the values of all step functions, or the path
 /// ends. A condition on step functions has one value on each branch. An event with such a condition happens where it does
-/// not hold on the branch before and holds on the branch that would follow without resets, decided in the same way.
+/// not hold on the branch before and holds on the branch that would follow without resets, decided in the same way. A
+/// condition on values that resets alone change (hybrid_system::is_kept) begins to hold by one: its event happens after
+/// the resets of the others, at the same time.
 class hybrid_path {
 public:
     /// The maximum number of events.
@@ -143,6 +150,9 @@ private:
     bool find(const std::optional<number>& end, const std::optional<number>& farthest, long horizon);
     std::optional<std::vector<std::size_t>> happening_events();
     std::vector<expression> reset_leaves(const std::vector<std::size_t>& happening);
+    bool is_stopped(const std::vector<std::size_t>& happening);
+    bool reset_state(const std::vector<std::size_t>& happening, entered_branch& entered);
+    std::vector<std::size_t> events_by_resets(const step_values& before, const step_values& after) const;
     std::vector<std::size_t> crossed_steps() const;
     std::vector<expression> zero_functions() const;
     std::optional<search_start> start_on(const surface& of, const branch_beginning& beginning);
@@ -152,6 +162,7 @@ private:
     bool continue_on_branch();
     explicit_system branch_after(const entered_branch& entered, const step_values& values) const;
     bool add_saltation(entered_branch& entered, const step_values& values);
+    bool enter_mode(entered_branch& entered, const initial_mode& mode, const branch_beginning& beginning);
     bool enter(const entered_branch& entered, const step_values& values, const branch_beginning& beginning);
     std::optional<state_set> set_behind_event(const entered_branch& entered, const path_piece& next);
     std::optional<std::vector<ball>> state_before(const number& time);

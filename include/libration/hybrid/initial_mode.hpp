@@ -28,7 +28,8 @@ struct initial_mode {
 
 /// The function that decides all of them, at the initial point and after each event. A step function whose argument
 /// does not contain steps that are not yet found has the value
-/// (1) of its argument, if that is a number;
+/// (1) of its argument, if that is a number, or consists of values that nothing changes on a branch
+///     (hybrid_system::is_kept) and that are known exactly;
 /// (2) of its argument at (t*, a), if that is proved not to be 0 (an integer, for a floor);
 /// (3) of the strict sign that the derivative of order k of its argument has at (t*, a) along the branches of all lists
 ///     of values that are possible there, if the derivatives of lower orders are 0 there and, where its argument u is 0,

@@ -243,7 +243,7 @@ void explicit_system::read_starts(const equation_system& given, parameter_values
         auto& of_unknown = found[which->second];
         const auto order = static_cast<std::size_t>(each.of.derivative());
         if (order >= of_unknown.size()) {
-            refuse(name, each.at, "has no free initial value, since the equations determine it: leave it out");
+            refuse(name, each.at, "is the highest derivative, and no initial value of the state: leave it out");
         }
         if (of_unknown[order]) {
             refuse(name, each.at, "has two initial values: give it only one");

@@ -10,6 +10,7 @@
 #include "libration/equation/defined_zero.hpp"
 #include "libration/scalar/error.hpp"
 #include "removable_singularity.hpp"
+#include "varied_value.hpp"
 
 namespace libration::ode {
 
@@ -119,6 +120,56 @@ struct fraction_form {
     }
 };
 
+// A sum of expressions other than sums, each multiplied by a fraction, and a fraction, by the form as written.
+class written_combination {
+public:
+    explicit written_combination(const expression& e) { add(e, 1, 0); }
+
+    // The sign of the constant quotient of both; 0 if they are not multiples of each other.
+    int relative_sign(const written_combination& other) const {
+        if (terms_.empty() || terms_.size() != other.terms_.size()) {  // as many, so that none is of one alone
+            return 0;
+        }
+        const rational own = factor_of(terms_.front().first);
+        if (own == 0) {
+            return 0;
+        }
+        const rational first = other.factor_of(terms_.front().first) / own;
+        const bool multiple =
+            first != 0 && first * constant_ == other.constant_ && std::ranges::all_of(terms_, [&](const auto& each) {
+                return other.factor_of(each.first) == first * factor_of(each.first);
+            });
+        return multiple ? (first > 0 ? 1 : -1) : 0;
+    }
+
+private:
+    void add(const expression& e, const rational& factor, int depth) {
+        constexpr int deepest = 16;
+        if (const auto number = e.fraction()) {
+            constant_ += factor * *number;
+        } else if (e.kind() == node_kind::sum && depth < deepest) {
+            add(e.left(), factor, depth + 1);
+            add(e.right(), factor, depth + 1);
+        } else if (const auto times = e.kind() == node_kind::product ? e.left().fraction() : std::nullopt;
+                   times && *times != 0 && depth < deepest) {
+            add(e.right(), factor * *times, depth + 1);
+        } else {
+            terms_.emplace_back(e, factor);
+        }
+    }
+
+    rational factor_of(const expression& part) const {
+        rational sum = 0;
+        for (const auto& [each, factor] : terms_) {
+            sum += same_form(each, part) ? factor : 0;
+        }
+        return sum;
+    }
+
+    std::vector<std::pair<expression, rational>> terms_;
+    rational constant_ = 0;
+};
+
 }  // namespace
 
 std::optional<linear_in_variable> linear_in_variable::of(const expression& e) {
@@ -142,7 +193,10 @@ int relative_sign(const expression& a, const expression& b) {
     }
     const auto first = fraction_form::of(a);
     const auto second = fraction_form::of(b);
-    return first && second ? first->relative_sign(*second) : 0;
+    if (first && second) {
+        return first->relative_sign(*second);
+    }
+    return first || second ? 0 : written_combination(a).relative_sign(written_combination(b));
 }
 
 hybrid_system::hybrid_system(const equation_system& given) : given_(given) {
@@ -158,6 +212,7 @@ hybrid_system::hybrid_system(const equation_system& given) : given_(given) {
     put_values(given_, parameters);
     read_starts(parameters);
     given_.parameters.clear();
+    read_still_leaves();
     require_state_in_events();
     for (std::size_t i = 0; i < given_.steps.size(); ++i) {
         for (const definition& each : parameters_of(given_.steps[i], number())) {
@@ -165,6 +220,38 @@ hybrid_system::hybrid_system(const equation_system& given) : given_(given) {
         }
     }
     read_dependence();
+}
+
+// Those of which the derivative is 0 by an equation.
+void hybrid_system::read_still_leaves() {
+    for (const expression& leaf : leaves_) {
+        still_.push_back(std::ranges::any_of(given_.equations, [&](const equation& each) {
+            return each.right.is(0) && same_form(each.left, derivative(leaf));
+        }));
+    }
+}
+
+bool hybrid_system::is_kept(const expression& e) const {
+    bool kept = e.has_unknowns() && std::ranges::find(still_, true) != still_.end();
+    each_leaf(e, [&](const expression& leaf) {
+        const auto k = static_cast<std::size_t>(
+            std::ranges::find_if(leaves_, [&](const expression& each) { return same_form(each, leaf); }) -
+            leaves_.begin());
+        kept = kept && k < leaves_.size() && still_[k] &&
+               std::ranges::none_of(variations_, [&](const state_variation& each) {
+                   return std::ranges::find(each, std::optional(k)) != each.end();
+               });
+    });
+    return kept;
+}
+
+bool hybrid_system::is_kept(const state_event& event) const {
+    bool kept = event.holds.has_value();
+    if (kept) {
+        each_leaf(*event.holds,
+                  [&](const expression& leaf) { kept = kept && is_kept(given_.steps[step_of(leaf.name())].argument); });
+    }
+    return kept;
 }
 
 // The equations y^(n) = f without highest derivatives in f.
@@ -259,6 +346,11 @@ void hybrid_system::require_state_in_events() const {
                        ": write one, as y = 0");
         }
         require_state(each.condition, leaves_, each.at);
+        if (is_kept(each.condition)) {
+            refuse(each.text, each.at,
+                   "has a direction, or is an equation, of values that resets alone change, which cross nothing: write "
+                   "the condition, as when n == 2 or when n >= 2");
+        }
         for (const reset& value : each.resets) {
             if (!is_state_of(leaves_, value.of)) {
                 refuse(primed(value.of.name(), value.of.derivative()), value.at,
@@ -418,14 +510,21 @@ std::optional<number> hybrid_system::constant_step(std::size_t step, const step_
     if (u.kind() != node_kind::constant) {
         return std::nullopt;
     }
-    return given_.steps[step].kind == step_kind::sign ? integer_number(u.constant().sign())
-                                                      : floor_of(u.constant(), given_.steps[step].divisor);
+    return step_value(step, u.constant());
+}
+
+number hybrid_system::step_value(std::size_t step, const number& argument) const {
+    return given_.steps[step].kind == step_kind::sign ? integer_number(argument.sign())
+                                                      : floor_of(argument, given_.steps[step].divisor);
 }
 
 bool hybrid_system::is_at_rest(std::size_t step, const step_values& values) const {
-    return given_.steps[step].kind == step_kind::sign &&
-           (values[step].sign() == 0 || is_sliding(step, values) || is_emptied(values[step])) &&
-           argument(step, values).kind() != node_kind::constant;
+    if (given_.steps[step].kind != step_kind::sign ||
+        !(values[step].sign() == 0 || is_sliding(step, values) || is_emptied(values[step]))) {
+        return false;
+    }
+    const expression u = argument(step, values);
+    return u.kind() != node_kind::constant && (!is_kept(u) || is_varied(*this, u));
 }
 
 // The functions of which floor(u/d) = n changes at the zeros: of a function that is linear in time, in one direction.
@@ -469,7 +568,7 @@ std::vector<surface> hybrid_system::surfaces(const step_values& values) const {
     };
     for (std::size_t i = 0; i < given_.steps.size(); ++i) {
         const expression u = argument(i, values);
-        if (u.kind() == node_kind::constant || is_at_rest(i, values)) {
+        if (u.kind() == node_kind::constant || is_kept(u) || is_at_rest(i, values)) {
             if (is_sliding(i, values)) {
                 add_ends_of_sliding(i, values, all);
             }

@@ -1,6 +1,7 @@
 #include "removable_singularity.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -19,6 +20,7 @@ constexpr int deepest_factor = 16;
 constexpr std::size_t most_factors = 64;
 constexpr std::size_t most_directions = 8;
 constexpr int most_searched_nodes = 300;
+constexpr std::ptrdiff_t most_divided_summands = 8;
 
 // A product of factors over divisors.
 struct factored_quotient {
@@ -222,9 +224,8 @@ expression zero_of_lost(const expression& part, const std::vector<expression>& r
     return zero;
 }
 
-expression without_singularities(const expression& e) {
-    factored_quotient of;
-    read_factors(of, e, false, 0);
+// The divisors from which zeros are removed, as they were.
+std::vector<expression> remove_all(factored_quotient& of) {
     std::vector<expression> removed;
     int left = most_zeros_removed;
     for (std::size_t k = 0; k < of.below.size() && left > 0;) {
@@ -236,14 +237,127 @@ expression without_singularities(const expression& e) {
             ++k;
         }
     }
-    if (removed.empty()) {
-        return e;
-    }
+    return removed;
+}
+
+// The quotient instead of e, from which it was made.
+expression replacing(const expression& e, const factored_quotient& of, const std::vector<expression>& removed) {
     expression result = written_quotient(product_of_all(of.above), product_of_all(of.below));
     for (const expression& part : parts_lost({e}, {}, {result})) {
         result = result + zero_of_lost(part, removed);
     }
     return result;
+}
+
+expression without_singularities(const expression& e) {
+    factored_quotient of;
+    read_factors(of, e, false, 0);
+    const auto removed = remove_all(of);
+    return removed.empty() ? e : replacing(e, of, removed);
+}
+
+bool is_zero_at(function_of_one& functions, const std::vector<expression>& divisors, const number& u0) {
+    return std::ranges::any_of(divisors, [&](const expression& each) {
+        const auto value = functions.holds(each) ? functions.value(each, u0) : std::nullopt;
+        return value && is_proved_zero(*value);
+    });
+}
+
+// A number at which divisors of both are 0, as functions of one u.
+std::optional<std::pair<linear_sum, number>> common_zero(const factored_quotient& a, const factored_quotient& b) {
+    for (const expression& divisor : a.below) {
+        for (const linear_sum& u : directions_of(divisor)) {
+            function_of_one functions(u);
+            for (const number& u0 : candidates({&divisor}, u)) {
+                try {
+                    if (is_zero_at(functions, {divisor}, u0) && is_zero_at(functions, b.below, u0)) {
+                        return std::pair(u, u0);
+                    }
+                } catch (const error&) {
+                    // No value there: another candidate.
+                }
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+// a + b over one divisor, without the singularity that both have at one place; std::nullopt if it is not removed.
+std::optional<expression> without_common_singularity(const expression& a, const expression& b) {
+    factored_quotient first;
+    factored_quotient second;
+    read_factors(first, a, false, 0);
+    read_factors(second, b, false, 0);
+    const auto zero = common_zero(first, second);
+    if (!zero) {
+        return std::nullopt;
+    }
+    factored_quotient both{{}, first.below};
+    std::vector<expression> only_first = first.below;
+    std::vector<expression> above_first = first.above;
+    for (const expression& each : second.below) {
+        const auto same =
+            std::ranges::find_if(only_first, [&](const expression& other) { return same_form(each, other); });
+        if (same != only_first.end()) {
+            only_first.erase(same);
+        } else {
+            both.below.push_back(each);
+            above_first.push_back(each);
+        }
+    }
+    std::vector<expression> above_second = second.above;
+    std::ranges::copy(only_first, std::back_inserter(above_second));
+    both.above = {written_sum(product_of_all(above_first), product_of_all(above_second))};
+    const auto removed = remove_all(both);
+    function_of_one functions(zero->first);
+    const bool regular = !removed.empty() && !is_zero_at(functions, both.below, zero->second);
+    return regular ? std::optional(replacing(a + b, both, removed)) : std::nullopt;
+}
+
+void read_summands(std::vector<expression>& to, const expression& e, int depth) {
+    if (e.kind() == node_kind::sum && depth < deepest_factor) {
+        read_summands(to, e.left(), depth + 1);
+        read_summands(to, e.right(), depth + 1);
+    } else {
+        to.push_back(e);
+    }
+}
+
+// A sum of quotients, each of which is singular where the sum is not: coth(x) - 1/x.
+expression sum_without_singularities(const expression& e) {
+    std::vector<expression> summands;
+    read_summands(summands, e, 0);
+    const auto divided = [](const expression& each) {
+        factored_quotient of;
+        read_factors(of, each, false, 0);
+        return std::ranges::any_of(of.below,
+                                   [](const expression& divisor) { return divisor.kind() != node_kind::constant; });
+    };
+    if (std::ranges::count_if(summands, divided) > most_divided_summands) {
+        return e;
+    }
+    bool changed = false;
+    for (std::size_t i = 0; i < summands.size(); ++i) {
+        for (std::size_t j = i + 1; j < summands.size() && divided(summands[i]);) {
+            const auto made =
+                divided(summands[j]) ? without_common_singularity(summands[i], summands[j]) : std::nullopt;
+            if (made) {
+                summands[i] = *made;
+                summands.erase(summands.begin() + static_cast<std::ptrdiff_t>(j));
+                changed = true;
+            } else {
+                ++j;
+            }
+        }
+    }
+    if (!changed) {
+        return e;
+    }
+    expression sum;
+    for (const expression& each : summands) {
+        sum = written_sum(sum, each);
+    }
+    return sum;
 }
 
 bool has_divisor(const expression& e) {
@@ -270,6 +384,11 @@ expression with_removed_singularities(const expression& e) {
     expression result = done.of(e, [&](const expression& node) {
         const bool product = node.kind() == node_kind::product;
         const expression made = with_operands(node, done, {});
+        if (node.kind() == node_kind::sum && !node.is_unfolded_zero()) {
+            expression removed = sum_without_singularities(made);
+            changed = changed || removed.identity() != made.identity();
+            return removed;
+        }
         if (!divides.at(node) || node.is_unfolded_zero() || !(product || has_divisor(node))) {
             return made;
         }

@@ -22,6 +22,13 @@ ball neighbourhood(const ball& x) {
     return widened(x, size.shifted(-static_cast<long>(mpfr_get_prec(handle(mpfr()))) / 2));
 }
 
+bool is_short_fraction(const number& x) {
+    constexpr std::size_t most_bits = 4096;
+    const auto bits = [](const integer& n) { return mpz_sizeinbase(n.backend().data(), 2); };
+    const auto fraction = x.fraction();
+    return fraction && bits(numerator(*fraction)) <= most_bits && bits(denominator(*fraction)) <= most_bits;
+}
+
 }  // namespace
 
 std::vector<expression> slopes_in_given(const explicit_system& system) {
@@ -31,6 +38,12 @@ std::vector<expression> slopes_in_given(const explicit_system& system) {
         slopes.push_back(with_leaves(each, form.leaves, form.given));
     }
     return slopes;
+}
+
+void put_kept(const kept_values& kept, std::vector<ball>& state) {
+    for (std::size_t k = 0; k < kept.size(); ++k) {
+        state[k] = kept[k] ? enclosed_number(*kept[k]) : state[k];
+    }
 }
 
 number number_of(const ball& exact) {
@@ -60,12 +73,14 @@ branch_beginning::branch_beginning(const hybrid_system& system)
 }
 
 branch_beginning::branch_beginning(const hybrid_system& system, ball time, std::optional<number> exactly,
-                                   std::vector<expression> reset, std::vector<expression> zero, std::vector<ball> state)
+                                   std::vector<expression> reset, std::vector<expression> zero, std::vector<ball> state,
+                                   kept_values kept)
     : system_(system),
       time_(std::move(time)),
       exactly_(std::move(exactly)),
       reset_(std::move(reset)),
       zero_(std::move(zero)),
+      kept_(std::move(kept)),
       state_(std::move(state)),
       near_time_(neighbourhood(time_)),
       point_(exactly_ ? *exactly_ : number_of(lower_bound(time_))),
@@ -104,21 +119,52 @@ std::optional<std::vector<expression>> branch_beginning::slopes_on(const step_va
     }
 }
 
-// At t* if that is known exactly.
-expression branch_beginning::at_time(const expression& e) const {
-    return !exactly_ ? e : replaced(e, [&](const expression& leaf) {
-        return leaf.kind() == node_kind::variable ? std::optional(expression(*exactly_)) : std::nullopt;
+// With t* and the values before the event where they are known exactly.
+expression branch_beginning::with_known_values(const expression& e) const {
+    if (!exactly_ && std::ranges::none_of(kept_, [](const auto& each) { return each.has_value(); })) {
+        return e;
+    }
+    return replaced(e, [&](const expression& leaf) -> std::optional<expression> {
+        if (leaf.kind() == node_kind::variable) {
+            return exactly_ ? std::optional(expression(*exactly_)) : std::nullopt;
+        }
+        for (std::size_t k = 0; k < kept_.size(); ++k) {
+            if (kept_[k] && same_form(leaf, system_.leaves()[k])) {
+                return expression(*kept_[k]);
+            }
+        }
+        return std::nullopt;
     });
 }
 
 // In terms of the values before the event.
 expression branch_beginning::before(const expression& e) const {
-    return at_time(with_leaves(e, system_.leaves(), reset_));
+    return with_known_values(with_leaves(e, system_.leaves(), reset_));
+}
+
+std::optional<number> branch_beginning::exact_value(const expression& e) const {
+    try {
+        const expression value = before(e);
+        return value.kind() == node_kind::constant ? std::optional(value.constant()) : std::nullopt;
+    } catch (const error&) {  // a function outside its domain, or a number that may be 0
+        return std::nullopt;
+    }
+}
+
+kept_values branch_beginning::kept() const {
+    kept_values all;
+    for (const expression& leaf : system_.leaves()) {
+        all.push_back(system_.is_kept(leaf) ? exact_value(leaf) : std::nullopt);
+        if (all.back() && !kept_.empty() && is_reset(leaf) && !is_short_fraction(*all.back())) {
+            all.back().reset();  // many resets would make it long
+        }
+    }
+    return all;
 }
 
 bool branch_beginning::is_zero(const expression& in_values_before) const {
     return is_identically_zero(in_values_before) || std::ranges::any_of(zero_, [&](const expression& each) {
-               const expression zero = at_time(each);
+               const expression zero = with_known_values(each);
                return zero.kind() != node_kind::constant && vanishes_with(in_values_before, zero);
            });
 }
@@ -136,12 +182,11 @@ std::optional<int> branch_beginning::sign(const expression& e) const {
     if (const int known = known_sign(value(e)); known != 0) {
         return known;
     }
+    if (const auto exact = exact_value(e)) {
+        return exact->sign();
+    }
     try {
-        const expression in_values_before = before(e);
-        if (in_values_before.kind() == node_kind::constant) {
-            return in_values_before.constant().sign();
-        }
-        return is_zero(in_values_before) ? std::optional(0) : std::nullopt;
+        return is_zero(before(e)) ? std::optional(0) : std::nullopt;
     } catch (const error&) {  // a function outside its domain, or a number that may be 0
         return std::nullopt;
     }
@@ -181,9 +226,9 @@ std::optional<leading_derivative> branch_beginning::leading(const expression& g,
 
 std::optional<branch_beginning::integers> branch_beginning::integers_of(const expression& u,
                                                                         const number& divisor) const {
-    if (const expression exact = before(u); exact.kind() == node_kind::constant) {
-        const number below = floor_of(exact.constant(), divisor);
-        return integers{below, (exact.constant() - below * divisor).sign() == 0};
+    if (const auto exact = exact_value(u)) {
+        const number below = floor_of(*exact, divisor);
+        return integers{below, (*exact - below * divisor).sign() == 0};
     }
     const ball quotient = value(u) / enclosed_number(divisor);
     if (!is_finite(quotient)) {

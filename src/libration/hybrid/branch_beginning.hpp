@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "libration/equation/hybrid_system.hpp"
+#include "libration/hybrid/hybrid_path.hpp"
 #include "libration/scalar/ball/ball.hpp"
 
 namespace libration::ode {
@@ -25,9 +26,10 @@ public:
     /// The initial point.
     explicit branch_beginning(const hybrid_system& system);
     /// After an event: `reset` are the leaves in terms of their values before it, in which the functions `zero` are 0 at
-    /// that time.
+    /// that time. `kept` are those of these values that are known exactly; empty if none is.
     branch_beginning(const hybrid_system& system, ball time, std::optional<number> exactly,
-                     std::vector<expression> reset, std::vector<expression> zero, std::vector<ball> state);
+                     std::vector<expression> reset, std::vector<expression> zero, std::vector<ball> state,
+                     kept_values kept = {});
 
     const hybrid_system& system() const { return system_; }
     /// The slopes of the leaves on the branch with these values of the step functions; std::nullopt if it has no
@@ -39,6 +41,11 @@ public:
     bool is_finite_near(const expression& e) const;
 
     ball value(const expression& e) const;
+    /// The value at (t*, a) by exact arithmetic; std::nullopt if it is not known exactly.
+    std::optional<number> exact_value(const expression& e) const;
+    /// The values of the leaves that nothing changes on the branch, as far as they are known exactly: initial values, and
+    /// fractions of at most 4096 bits after resets.
+    kept_values kept() const;
     /// The sign at (t*, a). 0 only if that is proved: by exact arithmetic; because the function, after the resets, is
     /// identically 0, or 0 wherever one of the functions that are 0 there is. std::nullopt if it is not decided.
     std::optional<int> sign(const expression& e) const;
@@ -61,7 +68,7 @@ public:
     static constexpr int most_orders = 8;
 
 private:
-    expression at_time(const expression& e) const;
+    expression with_known_values(const expression& e) const;
     expression before(const expression& e) const;
     bool is_zero(const expression& in_values_before) const;
     ball value_at(const expression& e, const std::vector<ball>& state, const ball& time) const;
@@ -71,6 +78,7 @@ private:
     std::optional<number> exactly_;
     std::vector<expression> reset_;  // exact initial values at the initial point
     std::vector<expression> zero_;
+    kept_values kept_;                      // before the event
     std::vector<expression> plain_leaves_;  // for the leaves of the system, without derivatives
     std::vector<ball> state_;
     ball near_time_;
@@ -79,6 +87,8 @@ private:
     std::vector<number> midpoints_;
 };
 
+/// Replaces the values that are known exactly.
+void put_kept(const kept_values& kept, std::vector<ball>& state);
 /// The slopes of the unknowns and lower derivatives of a system, in these.
 std::vector<expression> slopes_in_given(const explicit_system& system);
 /// The midpoints of balls as numbers.

@@ -1,5 +1,6 @@
 // Events of hybrid solutions: the state and the branch after each.
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "../equation/bound_text.hpp"
@@ -18,6 +19,8 @@ namespace {
 // end a path.
 constexpr long most_short_intervals = 8;
 constexpr long bits_of_short_intervals = 40;
+// So many times resets at one time may make other conditions hold.
+constexpr long most_rounds = 100;
 
 // Of an expression in leaves.
 ball value_in(const first_order_form& form, const expression& e, const std::vector<ball>& state, const ball& time) {
@@ -41,9 +44,9 @@ std::optional<std::vector<std::size_t>> hybrid_path::happening_events() {
         }
     }
     const auto& events = system_.events();
-    if (std::ranges::any_of(events, [](const state_event& each) { return each.holds.has_value(); })) {
+    if (std::ranges::any_of(events, [&](const state_event& each) { return each.holds && !system_.is_kept(each); })) {
         const branch_beginning unchanged(system_, next_->time, next_->exactly, system_.leaves(), zero_functions(),
-                                         next_->state);
+                                         next_->state, piece_->kept);
         const initial_mode mode = mode_after(unchanged, piece_->steps, crossed_steps());
         if (!mode.values) {
             ended(path_end::undecided, "it is not decided which events happen: " + mode.reason(system_));
@@ -56,6 +59,11 @@ std::optional<std::vector<std::size_t>> hybrid_path::happening_events() {
         }
     }
     std::ranges::sort(happening);
+    const auto same_statement = [&](std::size_t i, std::size_t j) {
+        return i == j || (events[i].at.line > 0 && events[i].at.line == events[j].at.line &&
+                          events[i].at.column == events[j].at.column);
+    };
+    happening.erase(std::ranges::unique(happening, same_statement).begin(), happening.end());
     return happening;
 }
 
@@ -176,35 +184,73 @@ bool hybrid_path::continue_on_branch() {
     if (emptied_) {
         return continue_emptied();
     }
-    const auto happening = happening_events();
+    auto happening = happening_events();
     if (!happening) {
         return false;
     }
-    for (const std::size_t index : *happening) {
-        if (system_.events()[index].stop) {
-            return ended(path_end::stop, "`" + system_.events()[index].text + "` ends the solution");
+    step_values before = piece_->steps;
+    for (long round = 0;; ++round) {
+        if (is_stopped(*happening)) {
+            return false;
         }
+        entered_branch entered;
+        if (!reset_state(*happening, entered)) {
+            return ended(path_end::undecided, "the states after the event are not enclosed");
+        }
+        const branch_beginning beginning(system_, next_->time, next_->exactly, entered.leaves, zero_functions(),
+                                         entered.state, piece_->kept);
+        const initial_mode mode = mode_after(beginning, piece_->steps, crossed_steps());
+        if (!mode.values) {
+            return ended(mode.failure == mode_failure::sliding ? path_end::sliding : path_end::undecided,
+                         mode.reason(system_));
+        }
+        const auto following = events_by_resets(before, *mode.values);
+        if (following.empty()) {
+            return enter_mode(entered, mode, beginning);
+        }
+        if (round == most_rounds) {
+            return ended(path_end::accumulation, "the resets at one time make conditions hold again and again");
+        }
+        std::ranges::copy(following, std::back_inserter(*happening));
+        before = *mode.values;
     }
-    entered_branch entered{.leaves = reset_leaves(*happening), .state = {}};
+}
+
+// Whether one of the events ends the solution.
+bool hybrid_path::is_stopped(const std::vector<std::size_t>& happening) {
+    const auto& events = system_.events();
+    const auto stop = std::ranges::find_if(happening, [&](std::size_t index) { return events[index].stop; });
+    return stop != happening.end() && !ended(path_end::stop, "`" + events[*stop].text + "` ends the solution");
+}
+
+// False if a value is not enclosed.
+bool hybrid_path::reset_state(const std::vector<std::size_t>& happening, entered_branch& entered) {
+    entered = {.leaves = reset_leaves(happening), .state = {}};
     const first_order_form form(piece_->system);
     for (std::size_t k = 0; k < entered.leaves.size(); ++k) {
         const bool kept = same_form(entered.leaves[k], system_.leaves()[k]);
         entered.state.push_back(kept ? next_->state[k]
                                      : value_in(form, form.in_leaves(entered.leaves[k]), next_->state, next_->time));
     }
-    const bool defined = std::ranges::all_of(reset_values_, [&](const expression& each) {
+    return std::ranges::all_of(reset_values_, [&](const expression& each) {
         return is_finite(value_in(form, form.in_leaves(each), next_->state, next_->time));
     });
-    if (!defined) {
-        return ended(path_end::undecided, "the states after the event are not enclosed");
+}
+
+// The events with conditions on values that resets alone change, which these begin to hold by.
+std::vector<std::size_t> hybrid_path::events_by_resets(const step_values& before, const step_values& after) const {
+    std::vector<std::size_t> all;
+    for (std::size_t i = 0; i < system_.events().size(); ++i) {
+        const state_event& each = system_.events()[i];
+        if (system_.is_kept(each) && !system_.holds(each, before) && system_.holds(each, after)) {
+            all.push_back(i);
+        }
     }
-    const branch_beginning beginning(system_, next_->time, next_->exactly, entered.leaves, zero_functions(),
-                                     entered.state);
-    const initial_mode mode = mode_after(beginning, piece_->steps, crossed_steps());
-    if (!mode.values) {
-        return ended(mode.failure == mode_failure::sliding ? path_end::sliding : path_end::undecided,
-                     mode.reason(system_));
-    }
+    return all;
+}
+
+// The branch with the values of the step functions that are decided.
+bool hybrid_path::enter_mode(entered_branch& entered, const initial_mode& mode, const branch_beginning& beginning) {
     bool rests = false;
     for (std::size_t i = 0; i < mode.values->size(); ++i) {
         rests = rests || system_.is_at_rest(i, *mode.values);
@@ -291,18 +337,21 @@ bool hybrid_path::enter(const entered_branch& entered, const step_values& values
     const ball begin = lower_bound(times);
     auto piece = std::make_unique<path_piece>(branch_after(entered, values));
     piece->steps = values;
-    piece->state = entered.state;
-    piece->on_the_way = entered.state;
+    piece->kept = beginning.kept();
+    std::vector<ball> state = entered.state;
+    put_kept(piece->kept, state);
+    piece->state = state;
+    piece->on_the_way = state;
     if (piece->system.singular()) {
         return ended(path_end::steps, "the next branch is singular at its beginning");
     }
     if (!next_->exactly) {
         const first_order_form form(piece->system);
-        auto around = states_around(form, entered.state, times);
+        auto around = states_around(form, state, times);
         if (!around) {
             return ended(path_end::undecided, "the states after the event are not enclosed");
         }
-        piece->state = states_moved(form, entered.state, times, *around, begin);
+        piece->state = states_moved(form, state, times, *around, begin);
         piece->begins = times;
         piece->on_the_way = *std::move(around);
     }

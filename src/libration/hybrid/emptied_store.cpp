@@ -311,7 +311,7 @@ bool hybrid_path::continue_emptied() {
     values[*emptied_] = emptied_value();
     const entered_branch entered{system_.leaves(), next_->state};
     const branch_beginning beginning(system_, next_->time, std::nullopt, entered.leaves, zero_functions(),
-                                     entered.state);
+                                     entered.state, piece_->kept);
     const bool entering = enter(entered, values, beginning);
     emptied_.reset();
     return entering;

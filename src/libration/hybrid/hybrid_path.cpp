@@ -40,6 +40,7 @@ hybrid_path::hybrid_path(const hybrid_system& system, long bits, proof_route rou
                     "choose another initial point");
     }
     piece_->steps = *mode.values;
+    piece_->kept = branch_beginning(system).kept();
     first_time_ = enclosed_number(system.point());
     last_time_ = first_time_;
     search_branch(nullptr);
@@ -237,6 +238,8 @@ path_event hybrid_path::event_of(const found_crossing& found) const {
     for (std::size_t k = 0; k < given.size(); ++k) {
         event.state[k] = given[k] ? enclosed_number(*given[k]) : event.state[k];
     }
+    put_kept(piece_->kept, event.state);
+    put_kept(piece_->kept, event.on_the_way);
     return event;
 }
 
@@ -256,6 +259,7 @@ std::optional<std::vector<ball>> hybrid_path::state_before(const number& time) {
     const auto place = steps_about(along, state_step_, enclosed_number(time));
     if (place) {
         std::vector<ball> state = values_at(*place);
+        put_kept(piece_->kept, state);
         // The argument of a sign along the surface of which the solution remains is 0.
         for (std::size_t i = 0; i < piece_->steps.size(); ++i) {
             if (system_.is_at_rest(i, piece_->steps)) {

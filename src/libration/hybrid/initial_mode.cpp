@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "../equation/emptied_store.hpp"
+#include "../equation/varied_value.hpp"
 #include "branch_beginning.hpp"
 #include "libration/equation/identities.hpp"
 #include "libration/scalar/error.hpp"
@@ -83,12 +84,28 @@ private:
         return values;
     }
 
+    // (1) for an argument that nothing changes on a branch.
+    std::optional<number> kept_value(std::size_t i, const expression& u) const {
+        if (!system_.is_kept(u) || is_varied(system_, u)) {
+            return std::nullopt;
+        }
+        const auto exact = at_.exact_value(u);
+        try {
+            return exact ? std::optional(system_.step_value(i, *exact)) : std::nullopt;
+        } catch (const error&) {  // a number that may be 0
+            return std::nullopt;
+        }
+    }
+
     // (1) and (2) for an argument with these values of the steps in it.
     std::optional<number> plain_value(std::size_t i, const step_values& values) const {
         if (auto constant = system_.constant_step(i, values)) {
             return constant;
         }
         const expression u = system_.argument(i, values);
+        if (const auto kept = kept_value(i, u)) {
+            return kept;
+        }
         if (system_.steps()[i].kind == step_kind::sign) {
             if (const auto sign = at_.sign(u); sign && *sign != 0) {
                 return sign_number(*sign);

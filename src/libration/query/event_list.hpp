@@ -84,7 +84,8 @@ public:
     void end(const std::string& reason) { demand_->ended(name_of_next(), reason); }
 
     /// After a search that did not find the next event: with more bits, if they help. The system begins at `point`.
-    void continue_beyond(const zero_search& search, const number& point, int direction) {
+    /// `cause` is what is known of a place where the steps become too small; empty if nothing is.
+    void continue_beyond(const zero_search& search, const number& point, int direction, const std::string& cause = {}) {
         const std::string reached = proved_reach_text(search.reached(), direction >= 0);
         switch (search.end()) {
             case search_end::time:
@@ -97,7 +98,8 @@ public:
                 break;
             case search_end::steps:
                 end("is not reached: the solution is proved to exist up to " + reached +
-                    ", where the step size falls below its minimum (probably a singularity)");
+                    ", where the step size falls below its minimum (probably a singularity" +
+                    (cause.empty() ? "" : "; " + cause) + ")");
                 break;
             case search_end::undecided:
                 search.undecided().too_many_pieces ? end(text_of(search.undecided()))

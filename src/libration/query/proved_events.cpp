@@ -6,7 +6,10 @@
 
 #include "../equation/condition_system.hpp"
 #include "event_list.hpp"
+#include "libration/equation/hybrid_system.hpp"
+#include "libration/equation/node_values.hpp"
 #include "libration/scalar/error.hpp"
+#include "small_divisor.hpp"
 
 namespace libration::ode {
 
@@ -22,6 +25,23 @@ std::vector<ball> state_of(const proved_event& event, const std::optional<condit
         state.push_back(event.state[place]);
     }
     return state;
+}
+
+// What is known of the end of a search for zeros of g: a root of a multiple of g in the equations.
+std::string cause_at_root(const explicit_system& system, const expression& g) {
+    bool found = false;
+    node_values<bool> seen;
+    for (const expression& right : system.right()) {
+        seen.of(right, [&](const expression& e) {
+            found = found || (has_no_value_below_zero(e) && relative_sign(expression(e.left()), g) != 0);
+            return true;
+        });
+    }
+    return found
+               ? "the equations contain a root of what has to become 0, which has no real value on one side, where an "
+                 "event has to be proved on both: search for a small value instead, as y = 10^-15, or a smaller one "
+                 "with more digits"
+               : "";
 }
 
 }  // namespace
@@ -55,7 +75,7 @@ event_report searched_events(const explicit_system& system, const event_request&
                 as_unknown = with_condition(system, request.g);
                 demand.again();
             } else {
-                list.continue_beyond(search, system.point(), request.direction);
+                list.continue_beyond(search, system.point(), request.direction, cause_at_root(system, request.g));
             }
         };
         find_events(list, search, request, add, beyond);

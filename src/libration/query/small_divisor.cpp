@@ -48,6 +48,12 @@ expression base_of(expression e) {
 
 }  // namespace
 
+bool has_no_value_below_zero(const expression& e) {
+    const auto exponent = e.kind() == node_kind::power ? e.right().fraction() : std::nullopt;
+    return (exponent && denominator(*exponent) != 1 && *exponent > 0) ||
+           (e.kind() == node_kind::function && e.function() == function_kind::sqrt);
+}
+
 std::string small_divisor_text(const explicit_system& system, const ball& time, const std::vector<ball>& state) {
     constexpr std::size_t longest = 60;
     const first_order_form form(system);
@@ -56,6 +62,7 @@ std::string small_divisor_text(const explicit_system& system, const ball& time, 
         values.push_back(each);
     }
     std::optional<std::pair<magnitude, expression>> smallest;
+    bool ends = false;
     node_values<bool> seen;
     for (const expression& slope : form.slopes) {
         seen.of(slope, [&](const expression& e) {
@@ -64,6 +71,9 @@ std::string small_divisor_text(const explicit_system& system, const ball& time, 
                 const ball value = values.of(base);
                 if (is_finite(value) && (!smallest || magnitude(value) < smallest->first)) {
                     smallest = {magnitude(value), base};
+                    ends = has_no_value_below_zero(e);
+                } else if (smallest && !has_no_value_below_zero(e) && same_form(base, smallest->second)) {
+                    ends = false;  // it divides, too
                 }
             }
             return true;
@@ -78,7 +88,14 @@ std::string small_divisor_text(const explicit_system& system, const ball& time, 
         names.emplace(form.leaves[k].name(), of_state[k]);
     }
     const std::string text = formula_text(smallest->second, system.variable(), names);
-    return text.size() > longest ? "" : "there |" + text + "| <= " + upper_bound_text(values.of(smallest->second));
+    if (text.size() > longest) {
+        return "";
+    }
+    return "there |" + text + "| <= " + upper_bound_text(values.of(smallest->second)) +
+           (ends ? ", of which a root has no real value below 0: if it remains 0, as of an empty store, write "
+                   "if(" +
+                       text + " > 0, .., 0) with the terms that end there"
+                 : "");
 }
 
 }  // namespace libration::ode

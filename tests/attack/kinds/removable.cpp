@@ -30,6 +30,9 @@ const std::vector<removable_quotient>& removable_quotients() {
         {"(sqrt(1 + {u}) - 1)/({u})*{w}", [](const mpfr& u) { return mpfr(2 * (1 + u) * sqrt(mpfr(1 + u)) / 3 - u); },
          -8, 60},
         {"({u})/log(1 + {u})*log(1 + {w})", [](const mpfr& u) { return mpfr(u * u / 2); }, -8, 60},
+        {"(cosh({u})/sinh({u}) - 1/({u}))*{w}*sinh({w})", [](const mpfr& u) { return mpfr(u * sinh(u) - 2 * cosh(u)); },
+         -28, 28},
+        {"(1/sin({u}) - 1/({u}))*{w}*sin({w})", [](const mpfr& u) { return mpfr(u * u / 2 + cos(u)); }, -28, 28},
         {"sin({u})/sinh({u})*sinh({w})", [](const mpfr& u) { return mpfr(-cos(u)); }, -28, 28},
     };
     return all;

@@ -61,6 +61,11 @@ event_statement begun_by(const statement& words, const std::map<std::string, int
         made.stop = true;
     } else if (!action.empty() && is_reset(action, highest)) {
         made.resets.push_back(action);
+    } else if (action.size() > 2 && is_plain_name(action[0]) && is_symbol(action[1], '=')) {
+        const std::string& name = action[0].text;
+        refuse(whole(words), colon->at,
+               "gives " + name + " a new value, which is not an unknown: write " + name + "' = 0; " + name +
+                   "(0) = ... instead of " + name + " = ... for a value that resets alone change");
     } else {
         refuse(whole(words), colon->at,
                std::string("is not followed by a new value of an unknown or of a lower derivative: write one, as ") +

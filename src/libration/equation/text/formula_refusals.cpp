@@ -19,6 +19,8 @@ std::string function_meant_by(std::string name) {
     return is_called_function(name) ? std::string(name_without_synonym(name)) : "";
 }
 
+std::string all_function_names() { return function_names() + " " + written_function_names() + " if piecewise"; }
+
 [[noreturn]] void refuse_exclusive(const token& word) {
     refuse(word.text, word.at,
            "is not an operator between conditions: write (x > 1 and not (y > 2)) or (y > 2 and not (x > 1)) for one of "
@@ -68,6 +70,9 @@ void refuse_product(const statement& words, std::size_t second) {
     for (const token& word : {words[second - 1], words[second]}) {
         if (word.kind == token_kind::name && word.text == "xor") {
             refuse_exclusive(word);
+        }
+        if (word.kind == token_kind::name && (word.text == "if" || word.text == "else") && word.primes == 0) {
+            refuse(word.text, word.at, "is not an operator between values: write if(t > 1, 1, 0)");
         }
     }
     refuse(text_of(words, second - 1, second + 1), words[second - 1].at,
@@ -124,8 +129,12 @@ void refuse_argument(const statement& words, std::size_t name, const known_names
                "is ambiguous: write " + product + ", or for a function one of " + function_names());
     }
     const std::string meant = function_meant_by(word.text);
+    if (word.text == "DiracDelta" || word.text == "dirac") {
+        refuse(written, word.at,
+               "is not a function: write an impulse as a jump of what it changes, as when t = 2: y = y + 1");
+    }
     refuse(written, word.at,
-           meant.empty() ? "is not a function: write one of " + function_names() + ", or " + product
+           meant.empty() ? "is not a function: write one of " + all_function_names() + ", or " + product
                          : "is not a function: write " + corrected(words, name, name + 1, meant) + ", or one of " +
                                function_names());
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "condition.hpp"
+#include "event_condition.hpp"
 #include "formula_parser.hpp"
 #include "interval_value.hpp"
 #include "piecewise.hpp"
@@ -233,52 +234,39 @@ void problem_reader::read_exact_solution(const statement& words) {
     result_.exact.push_back({words[1].text, std::move(value), words[0].at});
 }
 
-void problem_reader::read_condition_of(const event_statement& event, state_event& made) {
-    const statement& words = event.condition;
+condition problem_reader::condition_of(const event_statement& event) {
+    const bool compared = std::ranges::any_of(
+        event.condition, [](const token& word) { return is_comparison(word) || is_connective(word); });
+    if (!compared) {
+        const statement& words = event.condition;
+        const std::size_t equals = equals_of(words);
+        const expression left = side(words, 0, equals);
+        return {.kind = condition_kind::equal, .difference = left - side(words, equals + 1, words.size())};
+    }
+    statement words = event.condition;
+    for (token& word : words) {
+        word.symbol = is_symbol(word, '=') ? equal_sign : word.symbol;
+    }
     std::size_t next = 0;
     int depth = 0;
-    const condition holds =
-        read_condition({.words = words, .next = next, .last = words.size(), .depth = depth, .sum = [&] {
-                            return read_sum(words, next, words.size(), names_, &result_);
-                        }});
+    condition holds = read_condition({.words = words, .next = next, .last = words.size(), .depth = depth, .sum = [&] {
+                                          return read_sum(words, next, words.size(), names_, &result_);
+                                      }});
     if (next < words.size()) {
         refuse(words[next].text, words[next].at,
                "is not expected in a condition: write when x > 1 and y < 2, or when x = 1");
     }
-    if (event.way != crossing::any) {
-        refuse(event.text, event.at, "has a direction and a condition: write when x > 1, or when x = 1 up");
-    }
-    if (holds.kind == condition_kind::equal) {
-        refuse(event.text, event.at, "holds only at a moment: write when x = 1");
-    }
-    const auto steps = kept_steps(result_.steps);
-    bool smooth = holds.kind == condition_kind::positive;
-    each_leaf(holds.difference, [&](const expression& leaf) {
-        smooth = smooth && !(leaf.kind() == node_kind::parameter && steps.contains(leaf.name()));
-    });
-    if (smooth) {
-        made.condition = holds.difference;
-        made.way = crossing::up;
-    } else {
-        made.holds = step_collector(result_.steps, event.text, event.at).chosen(holds, 1, 0);
-    }
+    return holds;
 }
 
 void problem_reader::read_event(const event_statement& words) {
     state_event made{.way = words.way, .stop = words.stop, .text = words.text, .at = words.at};
-    const bool is_condition = std::ranges::any_of(
-        words.condition, [](const token& word) { return is_comparison(word) || is_connective(word); });
-    if (is_condition) {
-        read_condition_of(words, made);
-    } else {
-        made.condition = difference(words.condition);
-    }
     for (const statement& each : words.resets) {
         const token& name = each[0];
         made.resets.push_back(
             {unknown(name.text, name.primes), formula(each, equals_of(each) + 1, each.size()), name.at});
     }
-    result_.events.push_back(std::move(made));
+    std::ranges::move(events_when(condition_of(words), made, result_), std::back_inserter(result_.events));
 }
 
 }  // namespace libration::ode

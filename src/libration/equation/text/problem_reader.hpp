@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "condition.hpp"
 #include "event_statement.hpp"
 #include "libration/equation/equation_system.hpp"
 #include "names.hpp"
@@ -54,8 +55,8 @@ private:
     bool depends_on_solution(const statement& words) const;
     void read_parameter(const statement& words);
     void read_exact_solution(const statement& words);
-    // `when x > 1` as the function that crosses 0 upwards where that begins to hold; other conditions by step functions.
-    void read_condition_of(const event_statement& event, state_event& made);
+    // Of `when`; a = b as a == b.
+    condition condition_of(const event_statement& event);
     void read_event(const event_statement& words);
 
     std::vector<statement> all_;

@@ -307,6 +307,7 @@ private:
             refuse(shown, at_, "does not follow a name: write primes directly after an unknown, as f''");
         }
         switch (c.source.front()) {
+            case '?': refuse(shown, at_, "is not an operator: write if(t > 1, 1, 0) for t > 1 ? 1 : 0");
             case '{': refuse(shown, at_, "is not a parenthesis here: write (");
             default: refuse(shown, at_, "is not allowed in a problem: write names, numbers, + - * / ^ ( ) = and ;");
         }

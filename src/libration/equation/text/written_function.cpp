@@ -209,7 +209,7 @@ constexpr std::array functions{
     written_function{"square", 1, 1, "square(t)", true, square_wave},
     written_function{"sawtooth", 1, 1, "sawtooth(t)", true, sawtooth_wave}};
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 51> synonyms{{{"ln", "log"},
+constexpr std::array<std::pair<std::string_view, std::string_view>, 52> synonyms{{{"ln", "log"},
                                                                                   {"tg", "tan"},
                                                                                   {"ctg", "cot"},
                                                                                   {"cotan", "cot"},
@@ -250,6 +250,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 51> synonyms
                                                                                   {"Heaviside", "heaviside"},
                                                                                   {"ceiling", "ceil"},
                                                                                   {"fix", "trunc"},
+                                                                                  {"nint", "round"},
                                                                                   {"Mod", "mod"},
                                                                                   {"rem", "fmod"},
                                                                                   {"expit", "logistic"},
@@ -266,6 +267,14 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 51> synonyms
 const written_function* written_function_named(std::string_view name) {
     const auto* const found = std::ranges::find(functions, name_without_synonym(name), &written_function::name);
     return found == functions.end() ? nullptr : found;
+}
+
+std::string written_function_names() {
+    std::string all;
+    for (const written_function& each : functions) {
+        all += (all.empty() ? "" : " ") + std::string(each.name);
+    }
+    return all;
 }
 
 std::string_view name_without_synonym(std::string_view name) {

@@ -29,6 +29,9 @@ struct written_function {
 /// conditions as arguments, and those of function/list.hpp.
 const written_function* written_function_named(std::string_view name);
 
+/// Their names, separated by spaces.
+std::string written_function_names();
+
 /// The name by which equations know a function: log for ln, atan for arctan, if for ifelse and where. The name itself if
 /// it is not a synonym.
 std::string_view name_without_synonym(std::string_view name);
