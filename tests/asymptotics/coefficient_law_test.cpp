@@ -78,6 +78,9 @@ TEST_CASE("branch points: the law contains the coefficients of the recurrence", 
     check_against_fractions("y' = 1/y; y(0) = 1", all, 20);
     check_against_fractions("y' = (2 + t)/y; y(0) = 1", all, 20);
     check_against_fractions("y' = t/(1 + y); y(0) = 1", all, 3);
+    // In the time of the chart y is linear and t a cubic: discs of any radius.
+    check_against_fractions("y' = 1/(1 - y^2); y(0) = 1/3", all, 20);
+    check_against_fractions("y' = 1/(1 + y^2); y(0) = 0", {1, 3, 5, 21, 61, 101, 201}, 20);
 }
 
 // tan t: a_n = 2^(n+2) (2^(n+1) - 1) zeta(n+1)/(2 pi)^(n+1) .. for odd n: a_n = 2 (2/pi)^(n+1) (1 - 2^-(n+1)) zeta(n+1).
