@@ -228,8 +228,12 @@ private:
             nature_of_nearest(by.family, by.strong) != nature_of_root::undecided) {
             return;
         }
-        found_.rival = in_x(mpfr(modulus_of(by.strong[1]->now().position) * unit));
-        found_.uncertainty = std::max(found_.uncertainty, mpfr(abs(*found_.rival - *found_.radius) * 11 / 10));
+        const mpfr next = in_x(mpfr(modulus_of(by.strong[1]->now().position) * unit));
+        if (abs(next - *found_.radius) <= 2 * found_.uncertainty) {
+            return;  // on the same circle
+        }
+        found_.rival = next;
+        found_.uncertainty = std::max(found_.uncertainty, mpfr(abs(next - *found_.radius) * 11 / 10));
         found_.kind = singularity_kind::unknown;
         found_.exponent.reset();
         found_.amplitude.reset();
