@@ -40,6 +40,7 @@ public:
     std::vector<R> at(const R& time, const solution_state<R>& state) {
         there_.about(time, state);
         std::vector<R> values;
+        values.reserve(points_.watched().size());
         for (int i = 0; i < static_cast<int>(points_.watched().size()); ++i) {
             values.push_back(there_.watched(i)[0]);
         }

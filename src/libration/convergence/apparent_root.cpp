@@ -65,6 +65,7 @@ std::vector<mpfr> continuation(const approximant_family& family, const std::vect
         return {};
     }
     std::vector<std::vector<mpfr>> all;
+    all.reserve(relations.size());
     for (const auto& each : relations) {
         all.push_back(continued_by(each, family.scaled, family.order, count));
     }
@@ -121,7 +122,7 @@ nature_of_root nature_by_growth(const approximant_family& family, const root_con
 
 // An exponent 0, 1, .. of equations that agree, or a regular singular point of exact ones.
 bool may_be_apparent(const root_consensus& at) {
-    const double t = at.exponent.value.convert_to<double>();
+    const auto t = at.exponent.value.convert_to<double>();
     const auto fraction = [](double x) { return std::abs(x - std::round(x)); };
     const double width = std::max({fraction(at.exponent.spread), at.exponent.step, fraction(t)});
     const bool is_power = !at.assumed && t > -0.5 && width < 0.02;

@@ -383,7 +383,7 @@ expression with_removed_singularities(const expression& e) {
     bool changed = false;
     expression result = done.of(e, [&](const expression& node) {
         const bool product = node.kind() == node_kind::product;
-        const expression made = with_operands(node, done, {});
+        expression made = with_operands(node, done, {});
         if (node.kind() == node_kind::sum && !node.is_unfolded_zero()) {
             expression removed = sum_without_singularities(made);
             changed = changed || removed.identity() != made.identity();

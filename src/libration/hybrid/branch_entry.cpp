@@ -63,7 +63,7 @@ std::optional<std::vector<std::size_t>> hybrid_path::happening_events() {
         return i == j || (events[i].at.line > 0 && events[i].at.line == events[j].at.line &&
                           events[i].at.column == events[j].at.column);
     };
-    happening.erase(std::ranges::unique(happening, same_statement).begin(), happening.end());
+    happening.erase(std::unique(happening.begin(), happening.end(), same_statement), happening.end());
     return happening;
 }
 
