@@ -1,6 +1,7 @@
 #include "libration/equation/hybrid_system.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "libration/equation/defined_zero.hpp"
 #include "libration/scalar/error.hpp"
 #include "removable_singularity.hpp"
+#include "still_value.hpp"
 #include "varied_value.hpp"
 
 namespace libration::ode {
@@ -224,11 +226,8 @@ hybrid_system::hybrid_system(const equation_system& given) : given_(given) {
 
 // Those of which the derivative is 0 by an equation.
 void hybrid_system::read_still_leaves() {
-    for (const expression& leaf : leaves_) {
-        still_.push_back(std::ranges::any_of(given_.equations, [&](const equation& each) {
-            return each.right.is(0) && same_form(each.left, derivative(leaf));
-        }));
-    }
+    std::ranges::transform(leaves_, std::back_inserter(still_),
+                           [&](const expression& leaf) { return has_zero_slope(given_, leaf); });
 }
 
 bool hybrid_system::is_kept(const expression& e) const {

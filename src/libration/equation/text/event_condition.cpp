@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "../still_value.hpp"
 #include "libration/equation/identities.hpp"
 #include "piecewise.hpp"
 
@@ -24,8 +25,9 @@ const step_function* step_in(const equation_system& in, const std::string& param
 
 // What an expression consists of, without names for expressions.
 struct contents {
-    bool variable = false, changing = false,
-         kept = false;  // unknowns whose slopes are not 0, and unknowns with the slope 0
+    bool variable = false;
+    bool changing = false;  ///< an unknown whose slope is not 0
+    bool kept = false;      ///< an unknown with the slope 0
     std::vector<const step_function*> steps = {};
 
     void add(const expression& e, const equation_system& in) {
@@ -33,10 +35,7 @@ struct contents {
             if (leaf.kind() == node_kind::variable) {
                 variable = true;
             } else if (leaf.kind() == node_kind::unknown) {
-                const bool still = std::ranges::any_of(in.equations, [&](const equation& each) {
-                    return each.right.is(0) && same_form(each.left, derivative(leaf));
-                });
-                (still ? kept : changing) = true;
+                (has_zero_slope(in, leaf) ? kept : changing) = true;
             } else if (leaf.kind() == node_kind::parameter) {
                 const auto named = std::ranges::find(in.parameters, leaf.name(), &definition::name);
                 if (const step_function* const step = step_in(in, leaf.name())) {
