@@ -26,7 +26,7 @@ const step_function* step_in(const equation_system& in, const std::string& param
 // What an expression consists of, without names for expressions.
 struct contents {
     bool variable = false;
-    bool changing = false;  ///< an unknown whose slope is not 0
+    bool changing = false;  ///< an unknown with a nonzero slope
     bool kept = false;      ///< an unknown with the slope 0
     std::vector<const step_function*> steps = {};
 
