@@ -894,8 +894,7 @@ FAULTS = [
     ),
     *in_file(
         "src/libration/equation/hybrid_system.cpp", [KEPT],
-        ("any leaf taken for a kept one", "return each.right.is(0) && same_form(each.left, derivative(leaf));",
-         "return same_form(each.left, derivative(leaf));"),
+        ("any leaf taken for a kept one", "return has_zero_slope(given_, leaf);", "return !leaf.is(0);"),
         ("two levels of one function taken for one", "first != 0 && first * constant_ == other.constant_ &&", "first != 0 &&"),
     ),
     *in_file(
