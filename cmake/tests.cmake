@@ -68,7 +68,7 @@ target_link_libraries(libration-attack PRIVATE libration::ball fmt::fmt libratio
 target_compile_options(libration-attack PRIVATE $<$<CONFIG:Release>:-Og>)
 if(LIBRATION_BUILD_COMMAND)
     add_dependencies(libration-attack libration-command)
-    add_test(NAME attack COMMAND libration-attack statements 250)
+    add_test(NAME attack COMMAND libration-attack statements 160)
     set_tests_properties(attack PROPERTIES TIMEOUT 600)
 endif()
 

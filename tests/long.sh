@@ -53,5 +53,5 @@ part 'two hundred thousand statements' "$build/libration-attack" statements 2000
 part 'ten thousand random values by integers' by_integers
 part 'certificates that are false' certificates
 part 'fuzzing of the readers' "$tests/fuzz/fuzz.sh" "$build"
-part 'the coverage of the radius' "$build/libration-tests" '[.long]'
+part 'the slower tests' "$build/libration-tests" '[.long]'
 exit "$status"

@@ -42,7 +42,7 @@ TEST_CASE("the values of a certificate are proved by the checker", "[command][re
 }
 
 // The jump at t = 0.807 takes 1e-5, and x' is 7e5 there: after it the rounding of a step must not keep steps as short.
-TEST_CASE("a relaxation oscillation has a certificate beyond its jump", "[command][reference][certificate]") {
+TEST_CASE("a relaxation oscillation has a certificate beyond its jump", "[.long][command][reference][certificate]") {
     const temporary_folder folder;
     const auto done = run_libration({"reference", "--problem", "x' = z; z' = 1e6*((1 - x^2)*z - x); x(0) = 2; z(0) = 0",
                                      "--time", "1", "--digits", "20", "--certificate", "a.cert"},

@@ -140,7 +140,7 @@ TEST_CASE("about the bottom the verdict is the lattice's radius and position to 
 }
 
 TEST_CASE("about a time without symmetry the verdict is the lattice's radius and position to 45 digits",
-          "[command][radius]") {
+          "[.long][command][radius]") {
     const precision_scope scope(80);
     for (const std::string energy : {"1.71"}) {
         check_verdict(energy, "1.1", lattice_of(energy).effective_period - mpfr(11) / 10, "2");

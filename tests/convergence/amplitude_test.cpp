@@ -1,5 +1,7 @@
 // Amplitudes of singularities against the functions that have them.
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <tuple>
 
 #include "../studies/population/radius_families.hpp"
 #include "libration/convergence/verdict.hpp"
@@ -41,6 +43,26 @@ TEST_CASE("amplitudes are limits of the functions divided by the singular power"
     const auto odd = verdict_of(polynomial({mpfr(0), mpfr(1)}, n) *
                                 (power_at(mpfr(2), mpfr(-1), n) * power_at(mpfr(-2), mpfr(-1), n)));
     check_amplitude(odd, mpfr(1), 1e-5);
+}
+
+// e^x (1 - x)^t + c (1 - x)^s: e. A coefficient divided by that of (1 - x)^t approaches it like n^(t - s).
+TEST_CASE("two confluent powers have both exponents and the amplitude of the first", "[convergence][amplitude]") {
+    const precision_scope scope(180);
+    constexpr int n = 60;
+    const auto e = exponential(polynomial({mpfr(0), mpfr(1)}, n));
+    for (const auto& [c, t, s] :
+         {std::tuple{1.0, -1.0, -0.5}, {-3.0, -1.0, -0.5}, {0.125, -1.0, 0.5}, {2.0, 0.25, 0.75}}) {
+        const auto verdict = verdict_of(e * power_at(mpfr(1), mpfr(t), n) + power_at(mpfr(1), mpfr(s), n) * mpfr(c));
+        CAPTURE(c, t, s);
+        CHECK(abs(mpfr(*verdict.radius - 1)) <= verdict.uncertainty);
+        REQUIRE(verdict.exponent);
+        CHECK(abs(mpfr(*verdict.exponent - t)) <= verdict.exponent_uncertainty);
+        CHECK(verdict.exponent_uncertainty < mpfr(1e-20));
+        CHECK(verdict.kind == singularity_kind::confluent);
+        REQUIRE(verdict.second_exponent);
+        CHECK(std::abs(*verdict.second_exponent - s) < 1e-6);
+        check_amplitude(verdict, exp(mpfr(1)), 1e-4);
+    }
 }
 
 TEST_CASE("several singularities on the circle have no single amplitude", "[convergence][amplitude]") {

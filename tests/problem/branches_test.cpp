@@ -1,46 +1,17 @@
 // Which branch of a piecewise right-hand side follows: values by hand, and solutions that are not unique.
 #include <catch2/catch.hpp>
 #include <string>
-#include <vector>
 
 #include "libration/equation/text/parse.hpp"
 #include "libration/problem/solution.hpp"
 #include "libration/scalar/error.hpp"
 #include "libration/scalar/mpfr.hpp"
+#include "problem/known_values.hpp"
 
 namespace problem_branches_test {
 
 using namespace libration;
-
-namespace {
-
-struct known_case {
-    std::string text;
-    std::string time;
-    std::string name;
-    mpfr value;
-};
-
-// Whether a proved decimal of 20 digits is within one unit of its last digit of the value.
-void check_values(const std::vector<known_case>& all) {
-    for (const known_case& each : all) {
-        INFO(each.text << " at " << each.time);
-        const answer found = solve(problem(each.text))->states(each.time, proved_digits(20));
-        CHECK(abs(mpfr(mpfr(found.at(0, each.name)) - each.value)) <= abs(each.value) * pow(mpfr(10), -19));
-    }
-}
-
-// Why there is no value; empty if there is one.
-std::string refusal(const std::string& text, const std::string& time) {
-    try {
-        const answer found = solve(problem(text))->states(time, proved_digits(10));
-        return found.missing ? found.missing->what() : "";
-    } catch (const error& problem) {
-        return problem.what();
-    }
-}
-
-}  // namespace
+using namespace libration::tests;
 
 TEST_CASE("step functions inside others have the values of their arguments", "[problem][hybrid]") {
     const precision_scope scope(60);

@@ -192,7 +192,9 @@ private:
             return;
         }
         if (const auto root = newton({mpfr(start.real()), mpfr(start.imag())}, multiplicity, std::nullopt)) {
-            add_root(*root, multiplicity, lower);
+            if (lower == multiplicity || !is_contradicted(*root, multiplicity, lower)) {
+                add_root(*root, multiplicity, lower);
+            }
         }
     }
 
@@ -262,19 +264,33 @@ private:
         if (v.size() > 1) {
             root.second = v[1].re.convert_to<double>() + shift;
         }
-        root.irregular = exact_ && multiplicity > 1 && multiplicity == lower && !vanishing_enough(z, multiplicity);
+        root.irregular = exact_ && multiplicity > 1 && multiplicity == lower && !vanishing_enough(z, multiplicity, 20);
         found_.push_back(std::move(root));
     }
 
-    // A regular singular point: Q_(M-l) vanishes to order m - l, 0 < l < m, to 10^-20 of its terms.
-    bool vanishing_enough(const complex_number<mpfr>& z, int m) const {
+    // Whether fewer lower polynomials give an exponent that all of them, of a regular singular point, do not have: that
+    // is one of two confluent powers then, and the sum of both by fewer.
+    bool is_contradicted(const complex_number<mpfr>& z, int multiplicity, int lower) const {
+        if (multiplicity > order_ || !vanishing_enough(z, multiplicity, exact_ ? 20 : 4)) {
+            return false;
+        }
+        const auto fewer = zeros_of_indicial(indicial_coefficients(z, multiplicity, lower));
+        const auto all = zeros_of_indicial(indicial_coefficients(z, multiplicity, multiplicity));
+        return !fewer.empty() && !all.empty() && std::ranges::none_of(all, [&](const auto& each) {
+            const auto away = rounded(each - fewer.front()) - static_cast<double>(multiplicity - lower);
+            return std::abs(away) < 0.05 * (1 + std::abs(rounded(each)));
+        });
+    }
+
+    // A regular singular point: Q_(M-l) vanishes to order m - l, 0 < l < m, to 10^-digits of its terms.
+    bool vanishing_enough(const complex_number<mpfr>& z, int m, int digits) const {
         for (int l = 1; l < m; ++l) {
             for (int i = 0; i < m - l; ++i) {
                 const polynomial& p = taylor(static_cast<std::size_t>(order_ - l), i);
                 polynomial sizes;
                 std::ranges::transform(p, std::back_inserter(sizes), [](const mpfr& c) { return mpfr(abs(c)); });
                 const mpfr terms = value_at(sizes, {modulus_of(z), mpfr(0)}).re;
-                if (modulus_of(value_at(p, z)) > terms / pow(mpfr(10), 20)) {
+                if (modulus_of(value_at(p, z)) > terms / pow(mpfr(10), digits)) {
                     return false;
                 }
             }

@@ -4,84 +4,140 @@
 #include <utility>
 #include <vector>
 
+#include "libration/algebra/linear_system.hpp"
+
 namespace libration::convergence {
 
 namespace {
 
-constexpr int most_orders = 6;
+constexpr std::size_t most_powers = 9;
 
-// The last b_k/c_k, as many as Neville's scheme needs for two values of each order; empty if some c_k is 0.
-std::vector<mpfr> ratios_of(std::span<const mpfr> b, const mpfr& x0, const mpfr& t, bool is_logarithm) {
-    const auto last = static_cast<int>(b.size()) - 1;
-    const int from = last - most_orders - 2;
-    const int power = is_logarithm ? round(t).convert_to<int>() : -1;  // m of (1 - x)^m log(1 - x)
-    if (from <= power || power > last) {
-        return {};
+// The coefficients of (1 - x/x0)^t, or of (1 - x/x0)^m log(1 - x/x0), m the integer next to t, up to the order `last`.
+std::vector<mpfr> coefficients_of(const mpfr& x0, const mpfr& t, bool is_logarithm, int last) {
+    std::vector<mpfr> c(static_cast<std::size_t>(last) + 1, mpfr(0));
+    const int power = is_logarithm ? round(t).convert_to<int>() : -1;
+    if (power >= last) {
+        return c;
     }
-    std::vector<mpfr> ratios;
-    mpfr c(1);
+    mpfr each(1);
     if (is_logarithm) {
-        c = mpfr(power % 2 == 0 ? -1 : 1) / (power + 1);
+        each = mpfr(power % 2 == 0 ? -1 : 1) / (power + 1) / pow(x0, power + 1);
     }
-    mpfr scale = is_logarithm ? pow(x0, power + 1) : mpfr(1);
-    for (int k = is_logarithm ? power + 1 : 0; k <= last; ++k) {
-        if (k >= from) {
-            if (c == 0) {
-                return {};
-            }
-            ratios.push_back(b[static_cast<std::size_t>(k)] * scale / c);
-        }
-        c *= is_logarithm ? mpfr(k - power) / (k + 1) : mpfr((k - t) / (k + 1));
-        scale *= x0;
+    for (int k = power + 1; k <= last; ++k) {
+        c[static_cast<std::size_t>(k)] = each;
+        each *= (is_logarithm ? mpfr(k - power) : mpfr(k - t)) / (k + 1) / x0;
     }
-    return ratios;
+    return c;
 }
 
-// The extrapolated values of the orders 0 .. 6 from the ratios up to `last`, and from those up to `last` - 1.
-std::vector<std::pair<mpfr, mpfr>> neville(std::vector<mpfr> ratios, int last) {
-    std::vector<std::pair<mpfr, mpfr>> orders;
-    for (int i = 0; i <= most_orders; ++i) {
-        orders.emplace_back(ratios.back(), ratios[ratios.size() - 2]);
-        for (std::size_t j = ratios.size(); j-- > 1;) {
-            const int k = last - static_cast<int>(ratios.size() - 1 - j);
-            ratios[j] = (ratios[j] * k - ratios[j - 1] * (k - i - 1)) / (i + 1);
+// The functions of which the list is a sum, by their exponents; an integer power is none.
+std::vector<std::vector<mpfr>> terms_of(const known_power& at, int last) {
+    std::vector<mpfr> exponents;
+    for (std::size_t i = 0; i < most_powers; ++i) {
+        const auto more = static_cast<int>(i);
+        exponents.push_back(at.exponent.value + more);
+        if (at.second) {
+            exponents.push_back(mpfr(*at.second) + more);
         }
-        ratios.erase(ratios.begin());
     }
-    return orders;
+    const auto is_regular = [&](const mpfr& t) { return t > -0.5 && abs(mpfr(t - round(t))) < 1e-9; };
+    if (!at.is_logarithm) {
+        std::erase_if(exponents, is_regular);
+    }
+    std::ranges::sort(exponents);
+    exponents.resize(std::min(exponents.size(), most_powers));
+    std::vector<std::vector<mpfr>> terms;
+    for (const mpfr& t : exponents) {
+        terms.push_back(coefficients_of(at.position.value, t, at.is_logarithm, last));
+    }
+    return terms;
+}
+
+// The factor of the first function by the last `count` of the first `size` coefficients.
+std::optional<mpfr> leading_factor(std::span<const mpfr> b, const std::vector<std::vector<mpfr>>& terms,
+                                   std::size_t size, std::size_t count) {
+    std::vector<std::vector<mpfr>> rows;
+    std::vector<mpfr> right;
+    for (std::size_t k = size - count; k < size; ++k) {
+        const mpfr& unit = terms[0][k];
+        if (unit == 0) {
+            return std::nullopt;
+        }
+        std::vector<mpfr> row;
+        for (std::size_t i = 0; i < count; ++i) {
+            row.emplace_back(terms[i][k] / unit);
+        }
+        rows.push_back(std::move(row));
+        right.emplace_back(b[k] / unit);
+    }
+    const auto solved = solve_linear(std::move(rows), std::move(right), mpfr(0));
+    return solved ? std::optional((*solved)[0]) : std::nullopt;
+}
+
+// The factors by 1, 2, .. coefficients, until a system has no solution: pairs of that from all and that without the last.
+std::vector<std::pair<mpfr, mpfr>> factors(std::span<const mpfr> b, const known_power& at) {
+    const auto terms = terms_of(at, static_cast<int>(b.size()) - 1);
+    std::vector<std::pair<mpfr, mpfr>> all;
+    for (std::size_t count = 1; count <= terms.size() && count < b.size(); ++count) {
+        auto now = leading_factor(b, terms, b.size(), count);
+        auto before = leading_factor(b, terms, b.size() - 1, count);
+        if (!now || !before) {
+            break;
+        }
+        all.emplace_back(*std::move(now), *std::move(before));
+    }
+    return all;
+}
+
+// The error of the first of three values at lengths N, N/sqrt 2 and N/2 that approach their limit like N^-theta: the
+// differences of neighbours have the ratio q = 2^(-theta/2), and what follows after the first is a geometric series.
+mpfr error_by_rate(const mpfr& at_n, const mpfr& shorter, const mpfr& shortest) {
+    const mpfr last = abs(mpfr(at_n - shorter));
+    const mpfr before = abs(mpfr(shorter - shortest));
+    const mpfr slowest = mpfr(19) / 20;  // theta = 0.15
+    const mpfr q = before == 0 ? mpfr(0) : std::min(mpfr(last / before), slowest);
+    return last * q / (1 - q);
 }
 
 }  // namespace
 
-std::optional<exponent_estimate> amplitude_of(std::span<const mpfr> b, const exponent_estimate& position,
-                                              const exponent_estimate& exponent, bool is_logarithm) {
-    const auto last = static_cast<int>(b.size()) - 1;
-    const auto orders_at = [&](const mpfr& x0, const mpfr& t) {
-        auto ratios = ratios_of(b, x0, t, is_logarithm);
-        return ratios.empty() ? std::vector<std::pair<mpfr, mpfr>>() : neville(std::move(ratios), last);
-    };
-    const auto orders = orders_at(position.value, exponent.value);
-    if (orders.empty()) {
+std::optional<exponent_estimate> amplitude_of(std::span<const mpfr> b, const known_power& at) {
+    const auto& t = at.exponent;
+    const mpfr nearest = round(t.value);
+    const bool is_integer = abs(mpfr(t.value - nearest)) <= std::max(t.uncertainty, mpfr(1e-9));
+    if (b.size() < 2 * (most_powers + 1) || (nearest >= 0 && is_integer && !at.is_logarithm)) {
         return std::nullopt;
     }
+    const auto orders = factors(b, at);
+    const auto shorter = factors(b.first(b.size() * 12 / 17), at);
+    const auto shortest = factors(b.first(b.size() / 2), at);
     const auto change = [](const auto& each) { return mpfr(abs(each.first - each.second)); };
-    const auto best = std::ranges::min_element(orders, {}, change) - orders.begin();
-    const auto at = static_cast<std::size_t>(best);
-    exponent_estimate found{orders[at].first, change(orders[at])};
-    if (at > 0) {
-        found.uncertainty = std::max(found.uncertainty, mpfr(abs(orders[at].first - orders[at - 1].first)));
+    const auto best = std::ranges::min_element(orders, {}, change);
+    const auto i = static_cast<std::size_t>(best - orders.begin());
+    if (i >= std::min({orders.size(), shorter.size(), shortest.size()})) {
+        return std::nullopt;
     }
-    if (at + 1 < orders.size()) {
-        found.uncertainty = std::max(found.uncertainty, mpfr(abs(orders[at].first - orders[at + 1].first)));
+    exponent_estimate found{best->first, change(*best)};
+    for (const std::size_t near : {i - 1, i + 1}) {
+        if (near < orders.size()) {
+            found.uncertainty = std::max(found.uncertainty, mpfr(abs(found.value - orders[near].first)));
+        }
     }
     found.uncertainty *= 4;
-    const mpfr shifted_exponent = is_logarithm ? exponent.value : mpfr(exponent.value + exponent.uncertainty);
-    for (const auto& moved : {orders_at(mpfr(position.value + position.uncertainty), exponent.value),
-                              orders_at(position.value, shifted_exponent)}) {
-        if (moved.empty()) {
+    found.uncertainty =
+        std::max(found.uncertainty, mpfr(2 * error_by_rate(found.value, shorter[i].first, shortest[i].first)));
+    known_power moved = at;
+    moved.position.value += at.position.uncertainty;
+    known_power shifted = at;
+    if (!at.is_logarithm) {
+        shifted.exponent.value += t.uncertainty;
+    }
+    for (const auto& each : {moved, shifted}) {
+        const auto others = factors(b, each);
+        if (i >= others.size()) {
             return std::nullopt;
         }
-        found.uncertainty = std::max(found.uncertainty, mpfr(abs(moved[at].first - found.value)));
+        found.uncertainty = std::max(found.uncertainty, mpfr(abs(others[i].first - found.value)));
     }
     return found.uncertainty < abs(found.value) ? std::optional(std::move(found)) : std::nullopt;
 }

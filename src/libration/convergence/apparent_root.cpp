@@ -19,7 +19,7 @@ double log2_largest(const std::vector<mpfr>& values, std::size_t first, std::siz
     return largest;
 }
 
-// Up to three equations, exact ones or else the sharpest of those that agree on a root.
+// Up to three equations, exact ones or else, at the length of the root, the sharpest of those that agree on it.
 std::vector<differential_relation> relations_at(const approximant_family& family, const root_consensus& root) {
     std::vector<std::size_t> tracks;
     for (const auto& fit : family.fits) {
@@ -36,7 +36,7 @@ std::vector<differential_relation> relations_at(const approximant_family& family
     std::vector<differential_relation> relations;
     for (const std::size_t each : tracks) {
         const auto& track = family.tracks[each];
-        const int length = std::min(family.order, track.degree + 110);
+        const int length = std::min(root.exact ? family.order : root.length, track.degree + 110);
         if (auto relation = relation_of(family.scaled, track, length, bits_for(family.order))) {
             relations.push_back(*std::move(relation));
         }
@@ -58,18 +58,18 @@ int affordable_terms(const std::vector<differential_relation>& relations) {
     return static_cast<int>(std::max<std::size_t>(2000, most_products / most));
 }
 
-// The list continued by these equations, as far as they agree to 10^-6; empty if there is only one.
+// What follows after the first `length` + 1 by these equations, as far as they agree to 10^-6; empty if there is only one.
 std::vector<mpfr> continuation(const approximant_family& family, const std::vector<differential_relation>& relations,
-                               int count) {
+                               int length, int count) {
     if (relations.size() < 2) {
         return {};
     }
     std::vector<std::vector<mpfr>> all;
     all.reserve(relations.size());
     for (const auto& each : relations) {
-        all.push_back(continued_by(each, family.scaled, family.order, count));
+        all.push_back(continued_by(each, family.scaled, length, count));
     }
-    const std::size_t first = family.scaled.size();
+    const auto first = static_cast<std::size_t>(length) + 1;
     std::size_t end = first;
     const auto agree = [&](std::size_t i) {
         const mpfr size = std::max(mpfr(abs(all[0][i])), mpfr(abs(all[0][i - 1])));  // of two, since one may be 0
@@ -93,11 +93,11 @@ nature_of_root nature_by_growth(const approximant_family& family, const root_con
     }
     const precision_scope scope(decimal_digits(bits_for(family.order)));
     const auto relations = relations_at(family, sharpest);
-    const int n = family.order;
+    const int n = sharpest.exact ? family.order : sharpest.length;
     const int most = root.exact ? affordable_terms(relations) : 2000;
     const int asked =
         next == nullptr ? 2 * n : std::min(most, std::max(2 * n, static_cast<int>(std::min(60 / ratio, 1e6))));
-    const auto ahead = continuation(family, relations, asked);
+    const auto ahead = continuation(family, relations, n, asked);
     const int w = std::max(6, n / 8);
     const auto m = static_cast<int>(ahead.size());
     if (m < 3 * w) {
@@ -132,16 +132,18 @@ bool may_be_apparent(const root_consensus& at) {
 }  // namespace
 
 nature_of_root nature_of_nearest(const approximant_family& family, const std::vector<const root_cluster*>& strong) {
-    const root_consensus& first = strong.front()->now();
+    // Each at the length where it is sharpest: the noise of a list spoils the longer ones.
+    const auto place = [](const auto* each) -> const root_consensus& { return placed(*each).consensus(); };
+    const root_consensus& first = place(strong.front());
     if (!may_be_apparent(first)) {
         return nature_of_root::singular;
     }
     const root_consensus& sharpest =
-        (*std::ranges::min_element(strong, {}, [](const auto* each) { return width_of(each->now()); }))->now();
+        place(*std::ranges::min_element(strong, {}, [&](const auto* each) { return width_of(place(each)); }));
     if (!first.exact && first.orders == 1 && sharpest.orders > 1) {
         return nature_of_root::regular;
     }
-    return nature_by_growth(family, first, strong.size() > 1 ? &strong[1]->now() : nullptr, sharpest);
+    return nature_by_growth(family, first, strong.size() > 1 ? &place(strong[1]) : nullptr, sharpest);
 }
 
 }  // namespace libration::convergence

@@ -131,6 +131,11 @@ singularity_kind kind_alone(const root_cluster& cluster, std::size_t at) {
                : found.type == 11 ? singularity_kind::logarithm
                                   : singularity_kind::unknown;
     }
+    // A psi series with weak logarithms looks like a pole whose exponent is not quite an integer.
+    constexpr double beside_a_pole = 1e-3;
+    if (nearest < 0 && std::abs(t - nearest) < beside_a_pole) {
+        return singularity_kind::unknown;
+    }
     return singularity_kind::algebraic;
 }
 
@@ -196,6 +201,9 @@ singularity_kind kind_at(const root_cluster& cluster, std::size_t at) {
     const bool simple = kind == singularity_kind::pole || kind == singularity_kind::logarithm;
     if (simple) {
         return is_pure(cluster, at) ? kind : singularity_kind::unknown;
+    }
+    if (kind == singularity_kind::confluent && is_pure(cluster, at)) {
+        return kind;
     }
     int held = 0;
     for (std::size_t i = at; i-- > 0 && held < 2;) {

@@ -12,6 +12,7 @@
 #include "examined_list.hpp"
 #include "hold_out.hpp"
 #include "libration/convergence/strided_series.hpp"
+#include "libration/scalar/decimal.hpp"
 #include "list_growth.hpp"
 
 namespace libration::convergence {
@@ -161,10 +162,13 @@ private:
             return;
         }
         const mpfr w = at.re * unit;
-        const auto part = std::span<const mpfr>(b_).first(static_cast<std::size_t>(lead.consensus().length) + 1);
-        const auto h =
-            amplitude_of(part, {w, mpfr(abs(w) * lead.uncertainty)}, {*found_.exponent, found_.exponent_uncertainty},
-                         found_.kind == singularity_kind::logarithm);
+        known_power power{.position = {w, mpfr(abs(w) * lead.uncertainty)},
+                          .exponent = {*found_.exponent, found_.exponent_uncertainty},
+                          .is_logarithm = found_.kind == singularity_kind::logarithm};
+        if (lead.consensus().type == 22) {
+            power.second = found_.second_exponent;
+        }
+        const auto h = amplitude_of(b_, power);
         if (h) {
             const mpfr factor = pow(found_.position->re, class_.first) * pow(mpfr(class_.stride), *found_.exponent);
             found_.amplitude = exponent_estimate{mpfr(h->value * factor), mpfr(h->uncertainty * abs(factor))};
@@ -252,6 +256,9 @@ private:
             if (lead.of->now().distance_to(at) > position_uncertainty(*lead.of, lead.at) * at.modulus()) {
                 found_.note += ", which the later ones contradict";
             }
+        }
+        if (found_.kind == singularity_kind::confluent && found_.second_exponent) {
+            found_.note += "; the second exponent is " + to_decimal(mpfr(*found_.second_exponent), 6);
         }
         if (drifts_) {
             found_.note += "; the exponent drifts: confluent corrections are likely";

@@ -232,11 +232,13 @@ void add_exponents(root_consensus& found, std::vector<voter> top, std::vector<vo
     std::map<int, int> types;
     int irregular = 0;
     for (const auto& each : top) {
-        second.push_back(each.root->second.value_or(0));
+        if (each.root->second) {
+            second.push_back(*each.root->second);
+        }
         ++types[each.root->type()];
         irregular += each.root->irregular ? 1 : 0;
     }
-    found.second = median(second);
+    found.second = second.empty() ? 0 : median(second);
     found.type = std::ranges::max_element(types, {}, [](const auto& each) { return each.second; })->first;
     found.irregular = 2 * irregular > static_cast<int>(top.size());
 }

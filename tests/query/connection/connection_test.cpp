@@ -189,8 +189,8 @@ TEST_CASE("boundary layers", "[ode][proved]") {
         "0.92768003983665113921912613798407667167");
 }
 
-// Von Karman's flow as above; free convection along a wall, 0.6422 and -0.5671 [Ostrach, Pr = 1]; u = 1 - exp(-t) cos t, v = exp(-t) sin t.
-TEST_CASE("several unknowns without first guesses", "[ode][proved]") {
+// Von Karman's flow as above; free convection along a wall, 0.6422 and -0.5671 [Ostrach, Pr = 1].
+TEST_CASE("swirling flow and free convection without first guesses", "[.long][ode][proved]") {
     const precision_scope scope(60);
     const auto disk =
         connected("F'' = F^2 - G^2 + F'*H; G'' = 2*F*G + H*G'; H' = -2*F; F(0)=0; G(0)=1; H(0)=0; F(inf)=0; G(inf)=0",
@@ -202,6 +202,11 @@ TEST_CASE("several unknowns without first guesses", "[ode][proved]") {
                   {"F''(0)", "T'(0)"}, 4);
     CHECK(wall.values[0].text == "0.6422");
     CHECK(wall.values[1].text == "-0.5671");
+}
+
+// u = 1 - exp(-t) cos t, v = exp(-t) sin t.
+TEST_CASE("several unknowns without first guesses", "[ode][proved]") {
+    const precision_scope scope(60);
     const auto spiral =
         connected("u'' = -2*v; v'' = 2*(u-1); u(0)=0; v(0)=0; u(inf)=1; v(inf)=0", {"u'(0)", "v'(0)"}, 20);
     CHECK(within_a_unit(spiral.values[0], ball(1), 20));
