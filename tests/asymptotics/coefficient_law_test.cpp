@@ -78,6 +78,8 @@ TEST_CASE("branch points: the law contains the coefficients of the recurrence", 
     check_against_fractions("y' = 1/y; y(0) = 1", all, 20);
     check_against_fractions("y' = (2 + t)/y; y(0) = 1", all, 20);
     check_against_fractions("y' = t/(1 + y); y(0) = 1", all, 3);
+    check_against_fractions("y' = 1/y^2; y(0) = 1", all, 20);
+    check_against_fractions("y' = t/(2*y^2); y(0) = 1", {2, 20, 60, 100, 200}, 20);
     // In the time of the chart y is linear and t a cubic: discs of any radius.
     check_against_fractions("y' = 1/(1 - y^2); y(0) = 1/3", all, 20);
     check_against_fractions("y' = 1/(1 + y^2); y(0) = 0", {1, 3, 5, 21, 61, 101, 201}, 20);

@@ -52,7 +52,7 @@ TEST_CASE("two confluent powers have both exponents and the amplitude of the fir
     const auto e = exponential(polynomial({mpfr(0), mpfr(1)}, n));
     for (const auto& [c, t, s] :
          {std::tuple{1.0, -1.0, -0.5}, {-3.0, -1.0, -0.5}, {0.125, -1.0, 0.5}, {2.0, 0.25, 0.75}}) {
-        const auto verdict = verdict_of(e * power_at(mpfr(1), mpfr(t), n) + power_at(mpfr(1), mpfr(s), n) * mpfr(c));
+        const auto verdict = verdict_of(e * power_at(mpfr(1), mpfr(t), n) + mpfr(c) * power_at(mpfr(1), mpfr(s), n));
         CAPTURE(c, t, s);
         CHECK(abs(mpfr(*verdict.radius - 1)) <= verdict.uncertainty);
         REQUIRE(verdict.exponent);

@@ -13,10 +13,10 @@ namespace libration::ode {
 
 /// Systems in a time s with dt/ds = w^(q-1) W, W nonzero, w a coordinate with simple zeros, at which t - t* ~ (s - s*)^q:
 ///     y' = a_d(t) y^d + .. + a_0(t), d >= 3:      v = 1/y, t' = v^(d-2), v' = -(a_d + a_(d-1) v + .. + a_0 v^d);
-///     y' = N(t, y)/D(t, y):                       t' = D, y' = N;
+///     y' = N(t, y)/D(t, y), D a constant times w^m:  t' = D, y' = N;
 ///     x'' = A(x) x' + g(t, x), d = deg A + 1 >= 3, deg g <= d - 2, with z = x' - G(x), G' = A:
 ///                                                 v = 1/x, t' = v^(d-2), v' = -v^d (z + G(1/v)), z' = v^(d-2) g(t, 1/v).
-/// In the first and the third w = v, q = d - 1, and y has the leading exponent -1/q there (p = 1); in the second w = D, q = 2,
+/// In the first and the third w = v, q = d - 1, and y has the leading exponent -1/q there (p = 1); in the second q = m + 1,
 /// and y is finite (p = 0). All unknowns of s are regular at the branch point.
 class uniformizing_chart {
 public:

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "libration/plane/frobenius_series.hpp"
 #include "libration/scalar/ball/functions.hpp"
 #include "libration/scalar/ball/predicates.hpp"
 
@@ -12,8 +13,6 @@ namespace libration::ode {
 namespace {
 
 constexpr long digits_of_bounds = 30;
-
-ball size_as_ball(const complex_ball& z) { return sqrt(ball(z.re * z.re + z.im * z.im)); }
 
 // z^n by repeated squaring.
 complex_ball whole_power_of(const complex_ball& z, long n) {
@@ -70,7 +69,7 @@ ball pole_coefficient(const pole_terms& of, long n) {
 branch_terms::branch_terms(algebraic_point of, double rho) : of_(std::move(of)) {
     const precision_scope few(digits_of_bounds);
     arb_set_d(rho_.handle(), rho);
-    modulus_ = size_as_ball(of_.place);
+    modulus_ = modulus_in_balls(of_.place);
     d_ = rho_ / modulus_ - 1;
     const ball reach = pow(of_.reach, of_.sheets);
     if (!certainly_less(ball(0), d_) || !certainly_less(d_, reach)) {
@@ -80,7 +79,7 @@ branch_terms::branch_terms(algebraic_point of, double rho) : of_(std::move(of)) 
         const ball turn = pi<ball>() * j / of_.sheets;
         sizes_.push_back(j % of_.sheets == 0
                              ? ball(0)
-                             : upper_bound(ball(size_as_ball(of_.coefficient(j)) * abs(sin(turn)) / pi<ball>())));
+                             : upper_bound(ball(modulus_in_balls(of_.coefficient(j)) * abs(sin(turn)) / pi<ball>())));
     }
 }
 

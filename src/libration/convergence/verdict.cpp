@@ -139,7 +139,7 @@ private:
             found_.second_exponent = lead.consensus().second;
         }
         found_.used = index_of(lead.consensus().length);
-        add_amplitude(lead, unit);
+        add_amplitude(by.family, lead);
         add_history(*lead.of, unit);
         add_family(lead.consensus(), unit);
         widen_drifting(lead);
@@ -155,20 +155,42 @@ private:
         }
     }
 
+    // By the list, or by what an exact equation continues it to, whichever is sharper: where the equation has a root within
+    // the circle, the errors of rounding grow.
+    static std::optional<exponent_estimate> sharpest_amplitude(const approximant_family& family,
+                                                               const known_power& power) {
+        constexpr int sharp_order = 600;
+        auto found = amplitude_of(family.scaled, power);
+        const auto exact = std::ranges::find_if(family.fits, &differential_fit::exact);
+        if (exact == family.fits.end() || family.order >= sharp_order) {
+            return found;
+        }
+        const auto& track = family.tracks[exact->track];
+        const int length = std::min(family.order, track.degree + 110);
+        const auto relation = relation_of(family.scaled, track, length, bits_for(family.order));
+        if (!relation) {
+            return found;
+        }
+        const auto list = continued_by(*relation, family.scaled, family.order, sharp_order - family.order);
+        const bool is_finite = std::ranges::all_of(list, [](const mpfr& each) { return isfinite(each); });
+        auto further = is_finite ? amplitude_of(list, power) : std::nullopt;
+        return further && (!found || further->uncertainty < found->uncertainty) ? further : found;
+    }
+
     // f = x^first h(x^stride) ~ x0^first A stride^t (1 - x/x0)^t for h ~ A (1 - w/w0)^t.
-    void add_amplitude(const placed_cluster& lead, const mpfr& unit) {
-        const complex_number<mpfr>& at = lead.consensus().position;
-        if (found_.ring.size() > 1 || at.im != 0 || found_.position->im != 0 || !found_.exponent) {
+    void add_amplitude(const approximant_family& family, const placed_cluster& lead) {
+        const mpfr& y = lead.consensus().position.re;
+        if (found_.ring.size() > 1 || lead.consensus().position.im != 0 || found_.position->im != 0 ||
+            !found_.exponent) {
             return;
         }
-        const mpfr w = at.re * unit;
-        known_power power{.position = {w, mpfr(abs(w) * lead.uncertainty)},
+        known_power power{.position = {y, mpfr(abs(y) * lead.uncertainty)},
                           .exponent = {*found_.exponent, found_.exponent_uncertainty},
                           .is_logarithm = found_.kind == singularity_kind::logarithm};
         if (lead.consensus().type == 22) {
             power.second = found_.second_exponent;
         }
-        const auto h = amplitude_of(b_, power);
+        const auto h = sharpest_amplitude(family, power);
         if (h) {
             const mpfr factor = pow(found_.position->re, class_.first) * pow(mpfr(class_.stride), *found_.exponent);
             found_.amplitude = exponent_estimate{mpfr(h->value * factor), mpfr(h->uncertainty * abs(factor))};

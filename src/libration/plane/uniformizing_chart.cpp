@@ -68,6 +68,29 @@ expression reversed_polynomial(const std::vector<expression>& a, int degree, con
     return sum;
 }
 
+struct repeated_factor {
+    expression base;
+    int power;
+};
+
+// D as a constant times base^power.
+repeated_factor repeated_factor_of(const expression& d) {
+    const auto is_constant = [](const expression& e) { return !e.has_unknowns() && !e.has_variable(); };
+    if (d.kind() == node_kind::product && is_constant(d.left())) {
+        return repeated_factor_of(d.right());
+    }
+    if (d.kind() == node_kind::product && is_constant(d.right())) {
+        return repeated_factor_of(d.left());
+    }
+    if (d.kind() == node_kind::power) {
+        const auto exponent = d.right().fraction();
+        if (exponent && denominator(*exponent) == 1 && *exponent > 1 && *exponent < largest_degree) {
+            return {d.left(), numerator(*exponent).convert_to<int>()};
+        }
+    }
+    return {d, 1};
+}
+
 // Names that no typed unknown has.
 const char* const time_name = "t(s)";
 const char* const inverse_name = "v(s)";
@@ -115,8 +138,9 @@ std::optional<uniformizing_chart> uniformizing_chart::of_first_order(const expli
     if (partial(parts.denominator, y).is(0)) {
         return std::nullopt;
     }
-    const expression zero = with_time(parts.denominator);
-    return uniformizing_chart(2, 0, {t, y}, {zero, with_time(parts.numerator)}, zero);
+    const repeated_factor factor = repeated_factor_of(parts.denominator);
+    return uniformizing_chart(factor.power + 1, 0, {t, y}, {with_time(parts.denominator), with_time(parts.numerator)},
+                              with_time(factor.base));
 }
 
 std::optional<uniformizing_chart> uniformizing_chart::of_second_order(const explicit_system& system) {

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <cstdlib>
 #include <map>
 #include <memory>
 #include <utility>
@@ -329,17 +330,17 @@ std::function<std::vector<mpfr>(long)> by_recurrence(const rational& first, cons
     };
 }
 
-// y' = c y^k: y0 (1 - t/t1)^(-1/(k - 1)), 1/t1 = c (k - 1) y0^(k - 1).
+// y' = c y^k, k from -3 to 5: y0 (1 - t/t1)^(-1/(k - 1)), 1/t1 = c (k - 1) y0^(k - 1).
 asked_law any_power(choices& next) {
-    const auto k = static_cast<int>(next.between(2, 5));
+    const auto k = next.one_in(3) ? -static_cast<int>(next.between(1, 3)) : static_cast<int>(next.between(2, 5));
     const rational c = few(next, false);
     const rational start = few(next, false);
     rational limit = c * (k - 1);
-    for (int i = 1; i < k; ++i) {
-        limit *= start;
+    for (int i = 0; i < std::abs(k - 1); ++i) {
+        limit *= k > 0 ? start : rational(1 / start);
     }
-    const rational exponent(-1, k - 1);
-    return {fmt::format("y' = ({})*y^{}; y(0) = {}", c.str(), k, start.str()),
+    const rational exponent = rational(-1) / (k - 1);
+    return {fmt::format("y' = ({})*y^({}); y(0) = {}", c.str(), k, start.str()),
             by_recurrence(start,
                           [=](const std::vector<mpfr>& a, long n) {
                               return mpfr(a.back() * real(rational(n - 1 - exponent)) * real(limit) / n);
