@@ -168,12 +168,20 @@ int print_solutions(const find_options& options, const found_solutions& found, l
     for (const std::string& each : found.remarks()) {
         say_line(shortened(each));
     }
-    if (!found.solutions().empty()) {
-        for (const answer_note& each : found.solutions().front().notes) {
-            if (!is_shown(each, options.shown)) {
-                say_line(each.name + ": " + each.text);
+    // Of several solutions those that a solution shares with the first one once.
+    for (std::size_t i = 0; i < found.solutions().size(); ++i) {
+        const auto& of_first = found.solutions().front().notes;
+        for (const answer_note& each : found.solutions()[i].notes) {
+            const bool is_said = i > 0 && std::ranges::any_of(of_first, [&](const answer_note& said) {
+                                     return said.name == each.name && said.text == each.text;
+                                 });
+            if (!is_said && !is_shown(each, options.shown)) {
+                const std::string which = found.solutions().size() > 1 ? fmt::format("solution {}, ", i + 1) : "";
+                say_line(which + each.name + ": " + each.text);
             }
         }
+    }
+    if (!found.solutions().empty()) {
         say_missing(options.shown, found.solutions().front().notes);
     }
     if (ended) {

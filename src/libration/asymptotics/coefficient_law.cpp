@@ -53,6 +53,25 @@ bool is_outside(const complex_ball& place, double rho) {
     return false;
 }
 
+// After a refusal without a given RHO: a circle close behind the nearest singularity.
+std::optional<law_request> smaller_circle(const explicit_system& system, const law_request& asked,
+                                          const error& missing) {
+    if (asked.within || missing.kind() != error_kind::undecided || has_entire_solutions(system)) {
+        return std::nullopt;
+    }
+    try {
+        const double nearest = circle_for(system, 0, std::nullopt, asked.watch).nearest;
+        law_request smaller = asked;
+        smaller.within = few_bits_between(1.04 * nearest, 1.2 * nearest);
+        return nearest > 0 ? std::optional(std::move(smaller)) : std::nullopt;
+    } catch (const error& none) {
+        if (none.kind() != error_kind::undecided) {
+            throw;
+        }
+        return std::nullopt;
+    }
+}
+
 }  // namespace
 
 coefficient_law coefficient_law::of(const explicit_system& system, const law_request& asked) {
@@ -70,17 +89,32 @@ coefficient_law coefficient_law::of(const explicit_system& system, const law_req
     law.stride_ = start.stride();
     law.residue_ = start.residue_of(static_cast<int>(asked.unknown)) - asked.derivative;
     const auto linear = linear_equation::of(law.system_);
-    with_half_more_bits(bits_of_first_covering, most_law_attempts, [&](long bits) -> std::optional<bool> {
-        const precision_scope scope(decimal_digits(bits));
-        try {
-            linear ? law.cover_linear(*linear, asked) : law.cover(asked);
-            return true;
-        } catch (const precision_exhausted&) {
-            return std::nullopt;
+    const auto attempt = [&](const law_request& how) {
+        with_half_more_bits(bits_of_first_covering, most_law_attempts, [&](long bits) -> std::optional<bool> {
+            const precision_scope scope(decimal_digits(bits));
+            try {
+                linear ? law.cover_linear(*linear, how) : law.cover(how);
+                return true;
+            } catch (const precision_exhausted&) {
+                return std::nullopt;
+            }
+        });
+        if (law.rho_ == 0) {
+            refuse_law("has no law that is proved with the precisions that are tried");
         }
-    });
-    if (law.rho_ == 0) {
-        refuse_law("has no law that is proved with the precisions that are tried");
+    };
+    try {
+        attempt(asked);
+    } catch (const error& missing) {
+        const auto smaller = linear ? std::nullopt : smaller_circle(law.system_, asked, missing);
+        if (!smaller) {
+            throw;
+        }
+        try {
+            attempt(*smaller);
+        } catch (const error& again) {
+            throw error(again.kind() == error_kind::undecided ? missing : again);
+        }
     }
     return law;
 }
