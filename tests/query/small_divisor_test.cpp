@@ -43,4 +43,12 @@ TEST_CASE("no divisor is stated where none is nearly 0", "[ode][proved]") {
     }
 }
 
+// x/sin(x) is read as 1/cosrel(1, x), a function with an order.
+TEST_CASE("a solution ends at a pole of a quotient from which another zero was removed", "[ode][proved]") {
+    CHECK_THAT(reason_at_two("y' = (t + 3)/sin(t + 3); y(0) = 0"),
+               Contains("exist up to 0.14159265") && Contains("there |cosrel(1, t + 3)| <= "));
+    CHECK_THAT(reason_at_two("y' = sin(t)/sin(2*t); y(-1) = 0"),
+               Contains("exist up to 1.5707963") && Contains("there |cosrel(1, 2*t)| <= "));
+}
+
 }  // namespace query_small_divisor_test
