@@ -460,6 +460,7 @@ FAULTS = [
         ("the logarithm without its scale", "number(rational(1)) / (a0 * scale)", "number(rational(1)) / a0"),
         ("Lambert's function without its exponential", "expression(apply(exp, -w0)) / (ode::exp(v)", "expression(1) / (expression(1)"),
         ("the cosine of the zero in place of the mean", "is(sin) ? ode::cos(middle)", "is(sin) ? ode::cos(a)"),
+        ("what only has to be defined not divided", "value(e, u0) ? std::optional(e) : std::nullopt;  //", "std::nullopt;  //"),
     ),
     *in_file(
         "src/libration/equation/formula_text.cpp", ["query/small_divisor_test.cpp"],
@@ -468,6 +469,7 @@ FAULTS = [
     *in_file(
         "src/libration/equation/removable_singularity.cpp", [REMOVABLE],
         ("a pole taken for a removable singularity", "!numerator || !is_proved_zero(*numerator)", "!numerator"),
+        ("a pole with the zeros that it has in common", "return changed && numerator && numerator->sign() != 0 ?", "return false ?"),
     ),
     *in_file(
         "src/libration/scalar/ball/relative_functions.cpp", [REMOVABLE],
