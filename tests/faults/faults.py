@@ -478,12 +478,16 @@ FAULTS = [
     *in_file(
         "src/libration/equation/sliding_mode.cpp", [SLIDING],
         ("the share of the wrong side", "written_quotient(down, written_sum(down, -up))", "written_quotient(up, written_sum(up, -down))"),
+        ("one of two means", "sum = written_sum(sum, written_product(share_above", "sum = written_sum(under, written_product(share_above"),
         ("sliding without an end", "for (const int side : {1, -1}) {\n        const", "for (const int side : {1}) {\n        const"),
     ),
     *in_file(
         "src/libration/hybrid/initial_mode.cpp", [SLIDING],
-        ("any value on the surface", "lists_.size() != 3 || !is_between_sides()", "lists_.size() != 3"),
-        ("left on the side that leads back", "return sign_number(sign);\n            }\n        }\n        failures_", "return sign_number(-sign);\n            }\n        }\n        failures_"),
+        ("any value on the surface, and products of two signs", "if (!are_separate(open)) {", "if (false) {"),
+        ("left on the side that leads back", "return sign_number(sign);\n            }\n            if (leaves", "return sign_number(-sign);\n            }\n            if (leaves"),
+        ("signs that influence each other", " || !is_alone(i, u, open)", ""),
+        ("an inflow that begins at 0", "at_.sign_after(below->value) == 1", "below->sign == 1"),
+        ("a solution that may remain or leave", "failures_[i] = mode_failure::several;", "failures_[i] = mode_failure::undecided;"),
     ),
     *in_file(
         "src/libration/integration/singular_step.cpp", [SINGULAR],
