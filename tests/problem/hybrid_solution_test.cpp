@@ -394,6 +394,8 @@ TEST_CASE("sliding that is not proved to be the only solution ends", "[problem][
         Catch::Contains("slides"));
     CHECK_THAT(missing_of("x' = -sign(x)*(2 + sign(y)); y' = -sign(y); x(0) = 1; y(0) = 2", "3"),
                Catch::Contains("other conditions change there, too"));
+    CHECK_THAT(missing_of("h' = if(t < 5, 0, 1/10) - if(h > 0, sqrt(h), 0); h(0) = 1", "7"),
+               Catch::Contains("time 5.0000") && Catch::Contains("not proved to be continuous"));
 }
 
 TEST_CASE("solutions in double follow the same branches", "[problem][hybrid]") {

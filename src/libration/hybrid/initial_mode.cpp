@@ -176,6 +176,9 @@ private:
     // (3) and (4).
     std::optional<number> value_by_derivatives(std::size_t i, const zero_function& zero) {
         if (!find_lists(i, zero.u)) {
+            if (std::ranges::any_of(slopes_, [](const auto& each) { return !each.second; })) {
+                failures_[i] = mode_failure::not_continuous;
+            }
             return std::nullopt;
         }
         expression now = zero.u;
