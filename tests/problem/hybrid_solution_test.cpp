@@ -337,6 +337,8 @@ TEST_CASE("solutions leave the surface where one side leads away", "[problem][hy
     CHECK(mpfr(value_at(stops, "1", "v")) == 0);
     CHECK(mpfr(value_at(stops, "19/10", "v")) == 0);
     CHECK(agrees(value_at(stops, "4", "v"), mpfr(2)));
+    // The force is an unknown.
+    CHECK(agrees(value_at("v' = w - sign(v); w' = 1; v(0) = 0; w(0) = 0", "3", "v"), mpfr(2)));
 }
 
 // Each of the two is the closed form of its own equation; a cascade keeps its mass: what flowed in and was stored flowed out.
@@ -355,6 +357,8 @@ TEST_CASE("solutions slide along several surfaces of which each decides separate
         "C(0) = 0";
     CHECK(mpfr(value_at(cascade, "4", "B")) == 0);
     CHECK(agrees(value_at(cascade, "4", "C"), mpfr(4)));
+    // What left both, 3 and 4, weighted.
+    CHECK(agrees(value_at("E' = if(A > 0, 1, 0) + 5*if(B > 0, 2, 0); E(0) = 0; " + cascade, "4", "E"), mpfr(23)));
     // The mean of sign(y) is 1/4 from t = 2 on, when x = 2.
     const std::string friction = "x' = t - sign(x) + sign(y)/2; y' = 1/2 - 2*sign(y); x(0) = 1; y(0) = 3";
     CHECK(agrees(value_at(friction, "4", "x"), mpfr(25) / 4));
