@@ -460,10 +460,20 @@ FAULTS = [
         ("the logarithm without its scale", "number(rational(1)) / (a0 * scale)", "number(rational(1)) / a0"),
         ("Lambert's function without its exponential", "expression(apply(exp, -w0)) / (ode::exp(v)", "expression(1) / (expression(1)"),
         ("the cosine of the zero in place of the mean", "is(sin) ? ode::cos(middle)", "is(sin) ? ode::cos(a)"),
+        ("what only has to be defined not divided", "value(e, u0) ? std::optional(e) : std::nullopt;  //", "std::nullopt;  //"),
+    ),
+    *in_file(
+        "src/libration/query/small_divisor.cpp", ["query/small_divisor_test.cpp"],
+        ("a pole taken for a quotient of zeros", "return pole ? std::nullopt : found;", "return found;"),
+    ),
+    *in_file(
+        "src/libration/equation/formula_text.cpp", ["query/small_divisor_test.cpp"],
+        ("the order of a function not visited", "each.has_order() ? operand_pair{&each.right(), &each.left()} : ", ""),
     ),
     *in_file(
         "src/libration/equation/removable_singularity.cpp", [REMOVABLE],
         ("a pole taken for a removable singularity", "!numerator || !is_proved_zero(*numerator)", "!numerator"),
+        ("a pole with the zeros that it has in common", "return changed && numerator && numerator->sign() != 0 ?", "return false ?"),
     ),
     *in_file(
         "src/libration/scalar/ball/relative_functions.cpp", [REMOVABLE],
@@ -472,12 +482,16 @@ FAULTS = [
     *in_file(
         "src/libration/equation/sliding_mode.cpp", [SLIDING],
         ("the share of the wrong side", "written_quotient(down, written_sum(down, -up))", "written_quotient(up, written_sum(up, -down))"),
+        ("one of two means", "sum = written_sum(sum, written_product(share_above", "sum = written_sum(under, written_product(share_above"),
         ("sliding without an end", "for (const int side : {1, -1}) {\n        const", "for (const int side : {1}) {\n        const"),
     ),
     *in_file(
         "src/libration/hybrid/initial_mode.cpp", [SLIDING],
-        ("any value on the surface", "lists_.size() != 3 || !is_between_sides()", "lists_.size() != 3"),
-        ("left on the side that leads back", "return sign_number(sign);\n            }\n        }\n        failures_", "return sign_number(-sign);\n            }\n        }\n        failures_"),
+        ("any value on the surface, and products of two signs", "if (!are_separate(open)) {", "if (false) {"),
+        ("left on the side that leads back", "return sign_number(sign);\n            }\n            if (leaves", "return sign_number(-sign);\n            }\n            if (leaves"),
+        ("signs that influence each other", " || !is_alone(i, u, open)", ""),
+        ("an inflow that begins at 0", "at_.sign_after(below->value) == 1", "below->sign == 1"),
+        ("a solution that may remain or leave", "failures_[i] = mode_failure::several;", "failures_[i] = mode_failure::undecided;"),
     ),
     *in_file(
         "src/libration/integration/singular_step.cpp", [SINGULAR],

@@ -337,6 +337,55 @@ TEST_CASE("solutions leave the surface where one side leads away", "[problem][hy
     CHECK(mpfr(value_at(stops, "1", "v")) == 0);
     CHECK(mpfr(value_at(stops, "19/10", "v")) == 0);
     CHECK(agrees(value_at(stops, "4", "v"), mpfr(2)));
+    // The force is an unknown.
+    CHECK(agrees(value_at("v' = w - sign(v); w' = 1; v(0) = 0; w(0) = 0", "3", "v"), mpfr(2)));
+}
+
+// Each of the two is the closed form of its own equation; a cascade keeps its mass: what flowed in and was stored flowed out.
+TEST_CASE("solutions slide along several surfaces of which each decides separate terms", "[problem][hybrid][sliding]") {
+    const precision_scope scope(80);
+    const std::string stores = "A' = -if(A > 0, 1, 0); B' = -if(B > 0, 1, 0); A(0) = 1; B(0) = 2";
+    CHECK(mpfr(value_at(stores, "3/2", "B")) == mpfr(1) / 2);
+    CHECK(mpfr(value_at(stores, "3", "A")) == 0);
+    CHECK(mpfr(value_at(stores, "3", "B")) == 0);
+    CHECK(mpfr(value_at("x' = -sign(x); y' = -sign(y); x(0) = 1; y(0) = 2", "3", "y")) == 0);
+    const std::string four =
+        "A' = -if(A>0,1,0); B' = -if(B>0,1,0); C' = -if(C>0,1,0); D' = -if(D>0,1,0); A(0)=1; B(0)=2; C(0)=3; D(0)=4";
+    CHECK(mpfr(value_at(four, "5", "D")) == 0);
+    const std::string cascade =
+        "A' = 1/2 - if(A > 0, 1, 0); B' = if(A > 0, 1, 0) - if(B > 0, 2, 0); C' = if(B > 0, 2, 0); A(0) = 1; B(0) = 1; "
+        "C(0) = 0";
+    CHECK(mpfr(value_at(cascade, "4", "B")) == 0);
+    CHECK(agrees(value_at(cascade, "4", "C"), mpfr(4)));
+    // What left both, 3 and 4, weighted.
+    CHECK(agrees(value_at("E' = if(A > 0, 1, 0) + 5*if(B > 0, 2, 0); E(0) = 0; " + cascade, "4", "E"), mpfr(23)));
+    // The mean of sign(y) is 1/4 from t = 2 on, when x = 2.
+    const std::string friction = "x' = t - sign(x) + sign(y)/2; y' = 1/2 - 2*sign(y); x(0) = 1; y(0) = 3";
+    CHECK(agrees(value_at(friction, "4", "x"), mpfr(25) / 4));
+    // Both are refilled at t = 5, by 2 - 1 and 1 - 1/2.
+    const std::string refilled =
+        "A' = if(t < 5, 0, 2) - if(A > 0, 1, 0); B' = if(A > 0, 1, 0) - if(B > 0, 1/2, 0); A(0) = 1; B(0) = 1/10";
+    CHECK(agrees(value_at(refilled, "7", "A"), mpfr(2)));
+    CHECK(agrees(value_at(refilled, "7", "B"), mpfr(1)));
+}
+
+// The inflow is 0 at 2 pi and positive after it; the store fills from 2 pi + pi/6 on.
+TEST_CASE("a store that is empty remains empty where its inflow begins at 0", "[problem][hybrid][sliding]") {
+    const precision_scope scope(80);
+    const std::string store = "B' = max(0, sin(t)) - if(B > 0, 1/2, 0); B(0) = 1/4";
+    const mpfr pi = acos(mpfr(-1));
+    CHECK(mpfr(value_at(store, "13/2", "B")) == 0);
+    CHECK(agrees(value_at(store, "8", "B"), mpfr(sqrt(mpfr(3)) / 2 - cos(mpfr(8)) - (8 - 13 * pi / 6) / 2)));
+}
+
+// One remains on the surface, another one leaves it: B = (t - 3)^2/2 and B = 0, x = 2 + t and x = 2.
+TEST_CASE("solutions that may remain on a surface or leave it end with this reason", "[problem][hybrid][sliding]") {
+    CHECK_THAT(missing_of("B' = if(B > 0, t - 3, 0); B(0) = 2", "4"),
+               Catch::Contains("time 3.0000") && Catch::Contains("can continue on more than one branch"));
+    CHECK_THROWS_WITH(solve(problem("x' = if(x > 2, 1, 0); x(0) = 2")),
+                      Catch::Contains("can continue on more than one branch"));
+    CHECK_THROWS_WITH(solve(problem("x' = if(x < 2, -1, 0); x(0) = 2")),
+                      Catch::Contains("can continue on more than one branch"));
 }
 
 // The value on the surface is on neither side, two surfaces are open, or another condition contains the sign.
@@ -347,6 +396,10 @@ TEST_CASE("sliding that is not proved to be the only solution ends", "[problem][
     CHECK_THROWS_WITH(
         solve(problem("v' = -sign(v); y' = if(sign(v) + x > 1/2, 1, 0); x' = 0; v(0) = 0; x(0) = 0; y(0) = 0")),
         Catch::Contains("slides"));
+    CHECK_THAT(missing_of("x' = -sign(x)*(2 + sign(y)); y' = -sign(y); x(0) = 1; y(0) = 2", "3"),
+               Catch::Contains("other conditions change there, too"));
+    CHECK_THAT(missing_of("h' = if(t < 5, 0, 1/10) - if(h > 0, sqrt(h), 0); h(0) = 1", "7"),
+               Catch::Contains("time 5.0000") && Catch::Contains("not proved to be continuous"));
 }
 
 TEST_CASE("solutions in double follow the same branches", "[problem][hybrid]") {

@@ -36,11 +36,33 @@ TEST_CASE("a root of what becomes 0 is stated with what to write for a store, a 
         !Contains("write if"));
 }
 
+// Zeros of two expressions, a factor that is typed, and a function that is not elementary.
+TEST_CASE("a quotient whose numerator is 0 there, too, is named", "[ode][proved]") {
+    CHECK_THAT(reason_at_two("x' = 1; w' = 1; y' = sin(x)/w; x(0) = -1; w(0) = -1; y(0) = 0"),
+               Contains("there |w| <= ") && Contains("the numerator of sin(x)/w is as small"));
+    CHECK_THAT(reason_at_two("y' = (t^2 - 1)/(t - 1); y(0) = 0"),
+               Contains("the numerator of (t^2 - 1)/(t - 1) is as small"));
+    CHECK_THAT(reason_at_two("x' = 1; y' = erf(x)/x; x(0) = -1; y(0) = 0"),
+               Contains("the numerator of erf(x)/x is as small"));
+    CHECK_THAT(reason_at_two("y' = cos(t)/(t - 1); y(0) = 0"), Contains("there |t - 1|") && !Contains("numerator"));
+    CHECK_THAT(
+        reason_at_two("x'' = -x/(x^2+y^2)^(3/2); y'' = -y/(x^2+y^2)^(3/2); x(0) = 1; y(0) = 0; x'(0) = 0; y'(0) = 0"),
+        !Contains("numerator"));
+}
+
 TEST_CASE("no divisor is stated where none is nearly 0", "[ode][proved]") {
     for (const std::string each : {"y' = 1 + y^2; y(0) = 0", "y' = y^2/(2 + t); y(0) = 4"}) {
         INFO(each);
         CHECK_THAT(reason_at_two(each), Contains("proved to exist up to ") && !Contains("there |"));
     }
+}
+
+// x/sin(x) is read as 1/cosrel(1, x), a function with an order.
+TEST_CASE("a solution ends at a pole of a quotient from which another zero was removed", "[ode][proved]") {
+    CHECK_THAT(reason_at_two("y' = (t + 3)/sin(t + 3); y(0) = 0"),
+               Contains("exist up to 0.14159265") && Contains("there |cosrel(1, t + 3)| <= "));
+    CHECK_THAT(reason_at_two("y' = sin(t)/sin(2*t); y(-1) = 0"),
+               Contains("exist up to 1.5707963") && Contains("there |cosrel(1, 2*t)| <= "));
 }
 
 }  // namespace query_small_divisor_test

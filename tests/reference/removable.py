@@ -13,6 +13,14 @@ def extended(f, limit):
     return lambda u: limit if u == 0 else f(u)
 
 
+def with_more_digits(f):
+    """Of a quotient of differences near 0, where quadrature has nodes, but none at 0."""
+    def value(u):
+        with mp.workdps(400):
+            return f(u)
+    return value
+
+
 bernoulli = extended(lambda u: u / mp.expm1(u), mp.mpf(1))
 relative_sine = extended(lambda u: mp.sin(u) / u, mp.mpf(1))
 
@@ -66,6 +74,8 @@ PROBLEMS = [
      lambda: 3 + mp.log(mp.tan(1) / 2) - mp.log(mp.tan(half))),
     ("x' = 1; y' = cos(3*x)/x - cos(x)/x; x(0) = -1; y(0) = 0", 3, "y",
      lambda: (mp.ci(6) - mp.log(3) - mp.ci(2)) - (mp.ci(3) - mp.log(3) - mp.ci(1))),
+    ("x' = 1; y' = x^2/(x/tan(x) - 1); x(0) = -1; y(0) = 0", 2, "y",
+     lambda: 2 * integral(with_more_digits(lambda u: u**2 * mp.sin(u) / (u * mp.cos(u) - mp.sin(u))), 0, 1)),
 ]
 
 if __name__ == "__main__":

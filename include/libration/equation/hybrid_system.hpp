@@ -116,7 +116,10 @@ private:
     void require_explicit(std::size_t step) const;
     expression right_side_of(const expression& leaf, const step_values& values) const;
     expression slope_beside(std::size_t step, int side, step_values values) const;
-    void slide(std::size_t step, const step_values& values, equation_system& of) const;
+    expression share_above(std::size_t step, const step_values& values) const;
+    std::vector<std::size_t> sliding_steps(const step_values& values) const;
+    expression with_means(const expression& e, const step_values& values) const;
+    void slide(const step_values& values, equation_system& of) const;
     void add_ends_of_sliding(std::size_t step, const step_values& values, std::vector<surface>& to) const;
     std::vector<definition> parameters_on(std::size_t step, const step_values& values) const;
     void read_starts(parameter_values& parameters);

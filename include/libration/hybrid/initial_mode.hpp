@@ -36,12 +36,13 @@ struct initial_mode {
 ///     the same on all of these branches;
 /// (4) 0, if in (3) a derivative is 0 wherever u is, on all of these branches, and no other argument contains this step:
 ///     u is 0 along the solution.
-/// If all but one sign with the argument u are found in this way, none of which is 0 by (4), no other argument contains it,
-/// and the slopes where u is 0 are those of a side or the mean of both:
+/// If only signs are left, no step is 0 by (4), no other argument contains one of them, the slopes are sums of what each of
+/// them decides, and the part of each where its argument u is 0 is that of a side or the mean of both, they are found one
+/// after the other, where the derivative of u does not depend on those still left:
 /// (5) sliding_value(), if the derivative of u above the surface is negative or 0 wherever u is, and below it positive or 0
-///     wherever u is, not both 0;
+///     wherever u is, not both 0; of a function of the time alone by its sign directly after t*;
 /// (6) 1, if the derivative of u is positive below the surface and 0 above it at (t*, a), and its derivative on the
-///     branch above is positive; -1 likewise.
+///     branch above is positive; -1 likewise. Also the sign that the derivative has on both sides.
 /// Theorem H proves that the branch with these values contains the only solution. `before` are the values on the
 /// branch before an event, for arguments of which it is known that they are not 0 at the event: those that neither the
 /// event nor a resulting change of step functions changes. Each value is then verified on the branch that is entered.

@@ -9,9 +9,11 @@ namespace libration::ode {
 
 /// Why the values of step functions at the beginning of a branch are not known.
 enum class mode_failure {
-    undecided,  ///< it is not decided what one of them is
-    sliding,    ///< on both sides of its surface the solutions lead back to it
-    several     ///< solutions leave the surface on both sides
+    undecided,       ///< it is not decided what one of them is
+    sliding,         ///< on both sides of its surface the solutions lead back to it
+    several,         ///< solutions leave the surface on both sides, or on one while another remains on it
+    not_continuous,  ///< the slopes of a branch are not proved to be continuous about the surface
+    together         ///< it is on several surfaces at once, and what their signs decide is not proved to be a sum
 };
 
 /// A branch at the surface u = 0 of a sign: the side on which it holds, or 0 for the surface itself, and the sign of the

@@ -268,8 +268,11 @@ std::optional<expression> function_of_one::difference(const expression& e, const
     if (const auto form = affine(e)) {
         return expression(form->first);
     }
-    if (spent() || e.is_unfolded_zero()) {
+    if (spent()) {
         return std::nullopt;
+    }
+    if (e.is_unfolded_zero()) {
+        return value(e, u0) ? std::optional(e) : std::nullopt;  // 0 where it has a value, and so its difference
     }
     switch (e.kind()) {
         case node_kind::sum: {

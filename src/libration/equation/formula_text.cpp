@@ -69,7 +69,11 @@ std::string formula_text(const expression& e, const std::string& variable,
         const std::string order = each.has_order() ? done.at(each.right()).text + ", " : "";
         return {std::string(name_of(each.function())) + "(" + order + done.at(each.left()).text + ")"};
     };
-    return done.of(e, part).text;
+    // The order is written, too.
+    const auto written = [](const expression& each) {
+        return each.has_order() ? operand_pair{&each.right(), &each.left()} : operands_of(each);
+    };
+    return done.of(e, part, written).text;
 }
 
 }  // namespace libration::ode

@@ -418,10 +418,9 @@ equation_system hybrid_system::equations(const step_values& values, const number
     smooth.events.clear();
     smooth.steps.clear();
     smooth.starts.clear();
+    slide(values, smooth);
     for (std::size_t i = 0; i < values.size(); ++i) {
-        if (is_sliding(i, values)) {
-            slide(i, values, smooth);
-        } else if (is_at_rest(i, values)) {
+        if (is_at_rest(i, values) && !is_sliding(i, values)) {
             keep_both_sides(i, values, smooth);
         }
         for (const definition& each : parameters_on(i, values)) {

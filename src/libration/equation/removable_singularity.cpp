@@ -117,8 +117,8 @@ std::vector<number> candidates(const std::vector<const expression*>& among, cons
     return all;
 }
 
-// Two functions of u with a common zero, divided by u - u0 as often as both vanish there; std::nullopt if the divisor
-// is nonzero at u0, or has a zero of higher order.
+// Two functions of u with a common zero, divided by u - u0 as often as both vanish there; std::nullopt if they do not. A
+// pole remains if the divisor has the zero of higher order.
 std::optional<std::pair<expression, expression>> divided_pair(expression above, expression below, const linear_sum& u,
                                                               const number& u0) {
     function_of_one of(u);
@@ -133,7 +133,8 @@ std::optional<std::pair<expression, expression>> divided_pair(expression above, 
         }
         const auto numerator = of.value(above, u0);
         if (!numerator || !is_proved_zero(*numerator)) {
-            return std::nullopt;
+            return changed && numerator && numerator->sign() != 0 ? std::optional(std::pair(above, below))
+                                                                  : std::nullopt;
         }
         const auto a = of.difference(above, u0);
         const auto b = a ? of.difference(below, u0) : std::nullopt;

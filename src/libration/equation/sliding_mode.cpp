@@ -1,6 +1,6 @@
 // Branches on which a solution slides along the surface of a sign: theorem H, "Sliding".
-#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "libration/equation/defined_zero.hpp"
 #include "libration/equation/hybrid_system.hpp"
@@ -18,7 +18,7 @@ expression hybrid_system::right_side_of(const expression& leaf, const step_value
     const std::size_t place = equation_places_.at(leaf.name());
     return leaf.derivative() + 1 < given_.equations[place].left.derivative()
                ? unknown(leaf.name(), leaf.derivative() + 1)
-               : on_branch(given_.equations[place].right, values);
+               : with_means(given_.equations[place].right, values);
 }
 
 expression hybrid_system::slope_beside(std::size_t step, int side, step_values values) const {
@@ -33,22 +33,54 @@ expression hybrid_system::slope_beside(std::size_t step, int side, step_values v
     return sum;
 }
 
-// y' = f_- + L_- u/(L_- u - L_+ u) (f_+ - f_-), where both sides are defined.
-void hybrid_system::slide(std::size_t step, const step_values& values, equation_system& of) const {
-    require_explicit(step);
-    step_values above = values;
-    step_values below = values;
-    above[step] = number(rational(1));
-    below[step] = number(rational(-1));
+// L_- u/(L_- u - L_+ u), where both sides are defined.
+expression hybrid_system::share_above(std::size_t step, const step_values& values) const {
     const expression up = slope_beside(step, 1, values);
     const expression down = slope_beside(step, -1, values);
-    const expression share = written_quotient(down, written_sum(down, -up));
-    for (std::size_t i = 0; i < given_.equations.size(); ++i) {
-        const expression over = on_branch(given_.equations[i].right, above);
-        const expression under = on_branch(given_.equations[i].right, below);
-        if (!same_form(over, under)) {
-            of.equations[i].right = written_sum(under, written_product(share, written_sum(over, -under)));
+    if (without_zeros(down).is(0)) {
+        return down;
+    }
+    return without_zeros(up).is(0) ? written_sum(1, up) : written_quotient(down, written_sum(down, -up));
+}
+
+std::vector<std::size_t> hybrid_system::sliding_steps(const step_values& values) const {
+    std::vector<std::size_t> all;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (is_sliding(i, values)) {
+            all.push_back(i);
         }
+    }
+    return all;
+}
+
+// f_- + sum_i share_i (f_i+ - f_-): f_- has the value -1 of all sliding steps, f_i+ the value 1 of one of them. In the
+// shares one step less slides.
+expression hybrid_system::with_means(const expression& e, const step_values& values) const {
+    const auto sliding = sliding_steps(values);
+    step_values below = values;
+    for (const std::size_t i : sliding) {
+        below[i] = number(rational(-1));
+    }
+    const expression under = on_branch(e, below);
+    expression sum = under;
+    for (const std::size_t i : sliding) {
+        step_values above = below;
+        above[i] = number(rational(1));
+        if (const expression over = on_branch(e, above); !same_form(over, under)) {
+            sum = written_sum(sum, written_product(share_above(i, values), written_sum(over, -under)));
+        }
+    }
+    return sum;
+}
+
+void hybrid_system::slide(const step_values& values, equation_system& of) const {
+    const auto sliding = sliding_steps(values);
+    if (sliding.empty()) {
+        return;
+    }
+    require_explicit(sliding.front());
+    for (std::size_t i = 0; i < given_.equations.size(); ++i) {
+        of.equations[i].right = with_means(given_.equations[i].right, values);
     }
     // The order of the unknowns is that of their first occurrence.
     expression all;

@@ -54,7 +54,7 @@ public:
                 }
             }
         }
-        decide_beside_surface();
+        decide_beside_surfaces();
         for (std::size_t i = 0; i < found_.size(); ++i) {
             if (!found_[i]) {
                 return failed_at(i);
@@ -176,6 +176,9 @@ private:
     // (3) and (4).
     std::optional<number> value_by_derivatives(std::size_t i, const zero_function& zero) {
         if (!find_lists(i, zero.u)) {
+            if (std::ranges::any_of(slopes_, [](const auto& each) { return !each.second; })) {
+                failures_[i] = mode_failure::not_continuous;
+            }
             return std::nullopt;
         }
         expression now = zero.u;
@@ -215,63 +218,76 @@ private:
         return std::nullopt;
     }
 
-    // (5) and (6), for the only step that is not found.
-    void decide_beside_surface() {
-        const auto open = std::ranges::find_if(found_, [](const auto& each) { return !each; });
-        if (open == found_.end() || std::ranges::count_if(found_, [](const auto& each) { return !each; }) != 1) {
-            return;
+    // (5) and (6), for the steps that are not found, one after the other.
+    void decide_beside_surfaces() {
+        std::vector<std::size_t> open;
+        for (std::size_t i = 0; i < found_.size(); ++i) {
+            if (!found_[i]) {
+                open.push_back(i);
+            }
         }
-        const auto i = static_cast<std::size_t>(open - found_.begin());
         const step_values values = found_values();
-        const bool rests = [&] {
-            for (std::size_t j = 0; j < values.size(); ++j) {
-                if (j != i && system_.is_at_rest(j, values)) {
-                    return true;
+        for (std::size_t j = 0; j < values.size(); ++j) {
+            const expression u = system_.argument(j, values);
+            if (found_[j] ? system_.is_at_rest(j, values)
+                          : system_.steps()[j].kind != step_kind::sign || is_in_another_argument(j) ||
+                                !u.has_unknowns() || at_.sign(u) != 0) {
+                return;
+            }
+        }
+        influences_.assign(found_.size(), true);
+        while (!open.empty() && find_all_lists()) {
+            if (!are_separate(open)) {
+                const expression first = system_.argument(open.front(), values);
+                const bool one_surface = std::ranges::all_of(
+                    open, [&](std::size_t i) { return vanishes_with(system_.argument(i, values), first); });
+                if (!one_surface) {
+                    std::ranges::for_each(open, [&](std::size_t i) { failures_[i] = mode_failure::together; });
+                }
+                return;
+            }
+            const auto next = std::ranges::find_if(open, [&](std::size_t i) {
+                found_[i] = value_beside_surface(i, open);
+                return found_[i].has_value();
+            });
+            if (next == open.end()) {
+                return;
+            }
+            open.erase(next);
+        }
+    }
+
+    // The list in which one of the open steps has a value, the others 0.
+    const possible_list& list_beside(const std::vector<std::size_t>& open, std::size_t i, const number& value) const {
+        return *std::ranges::find_if(lists_, [&](const possible_list& each) {
+            return std::ranges::all_of(
+                open, [&](std::size_t j) { return is_same(each.values[j], j == i ? value : number()); });
+        });
+    }
+
+    // Whether the slopes are sums of what each of these steps decides, the part of each with the value 0 being that on
+    // one side, or the mean of both, identically.
+    bool are_separate(const std::vector<std::size_t>& open) const {
+        const auto& on = list_beside(open, open.front(), number()).slopes;
+        for (const possible_list& each : lists_) {
+            for (std::size_t k = 0; k < on.size(); ++k) {
+                expression rest = each.slopes[k] - on[k];
+                for (const std::size_t i : open) {
+                    rest = rest - (list_beside(open, i, each.values[i]).slopes[k] - on[k]);
+                }
+                if (!is_identically_zero(rest)) {
+                    return false;
                 }
             }
-            return false;
-        }();
-        if (system_.steps()[i].kind != step_kind::sign || rests || is_in_another_argument(i)) {
-            return;
         }
-        const expression u = system_.argument(i, values);
-        if (u.has_unknowns() && at_.sign(u) == 0) {
-            found_[i] = value_beside_surface(i, u);
-        }
+        return std::ranges::all_of(open, [&](std::size_t i) {
+            return is_between(list_beside(open, i, sign_number(-1)).slopes, on,
+                              list_beside(open, i, sign_number(1)).slopes);
+        });
     }
 
-    std::optional<number> value_beside_surface(std::size_t i, const expression& u) {
-        influences_.assign(found_.size(), true);
-        if (!find_all_lists() || lists_.size() != 3 || !is_between_sides()) {
-            return std::nullopt;
-        }
-        const auto derivatives = derivatives_of(u, false);  // for the signs -1, 0, 1
-        if (!derivatives) {
-            return std::nullopt;
-        }
-        const derivative_on& below = derivatives->front();
-        const derivative_on& above = derivatives->back();
-        const bool back_down = above.sign == -1 || vanishes_with(above.value, u);
-        const bool back_up = below.sign == 1 || vanishes_with(below.value, u);
-        if (back_down && back_up) {
-            return above.sign == -1 || below.sign == 1 ? std::optional(sliding_value()) : std::nullopt;
-        }
-        for (const auto& [side, other] : {std::pair(&above, &below), std::pair(&below, &above)}) {
-            const int sign = side == &above ? 1 : -1;
-            if (side->sign == 0 && other->sign == sign &&
-                at_.sign(at_.derivative(side->value, side->list->slopes)) == sign) {
-                return sign_number(sign);
-            }
-        }
-        failures_.emplace(i, mode_failure::undecided);
-        return std::nullopt;
-    }
-
-    // Whether the slopes with the sign 0 are those on one side, or the mean of both, identically.
-    bool is_between_sides() const {
-        const auto& below = lists_[0].slopes;
-        const auto& on = lists_[1].slopes;
-        const auto& above = lists_[2].slopes;
+    static bool is_between(const std::vector<expression>& below, const std::vector<expression>& on,
+                           const std::vector<expression>& above) {
         return std::ranges::any_of(std::array{rational(0), rational(1), rational(1, 2)}, [&](const rational& share) {
             for (std::size_t k = 0; k < on.size(); ++k) {
                 const expression mixed = below[k] + expression(share) * (above[k] - below[k]);
@@ -281,6 +297,54 @@ private:
             }
             return true;
         });
+    }
+
+    // Whether the derivative of u is the same for all values of the other steps.
+    bool is_alone(std::size_t i, const expression& u, const std::vector<std::size_t>& open) const {
+        const expression on = at_.derivative(u, list_beside(open, i, number()).slopes);
+        return std::ranges::all_of(open, [&](std::size_t j) {
+            return j == i || std::ranges::all_of(std::array{-1, 1}, [&](int side) {
+                       const auto& slopes = list_beside(open, j, sign_number(side)).slopes;
+                       return is_identically_zero(at_.derivative(u, slopes) - on);
+                   });
+        });
+    }
+
+    std::optional<number> value_beside_surface(std::size_t i, const std::vector<std::size_t>& open) {
+        const expression u = system_.argument(i, found_values());
+        const auto below = derivative_beside(u, list_beside(open, i, sign_number(-1)));
+        const auto on = derivative_beside(u, list_beside(open, i, number()));
+        const auto above = derivative_beside(u, list_beside(open, i, sign_number(1)));
+        if (!below || !on || !above || !is_alone(i, u, open)) {
+            return std::nullopt;
+        }
+        if (above->sign == below->sign && above->sign.value_or(0) != 0) {
+            return sign_number(*above->sign);
+        }
+        const bool back_down = at_.sign_after(above->value) == -1 || vanishes_with(above->value, u);
+        const bool back_up = at_.sign_after(below->value) == 1 || vanishes_with(below->value, u);
+        if (back_down && back_up && (above->sign == -1 || below->sign == 1)) {
+            return sliding_value();
+        }
+        for (const auto& [side, other] : {std::pair(&*above, &*below), std::pair(&*below, &*above)}) {
+            const int sign = side == &*above ? 1 : -1;
+            const bool leaves = side->sign == sign ||
+                                (side->sign == 0 && at_.sign(at_.derivative(side->value, side->list->slopes)) == sign);
+            if (leaves && side->sign == 0 && other->sign == sign) {
+                return sign_number(sign);
+            }
+            if (leaves && open.size() == 1 && (vanishes_with(on->value, u) || vanishes_with(other->value, u))) {
+                failures_[i] = mode_failure::several;
+                return std::nullopt;
+            }
+        }
+        failures_.emplace(i, mode_failure::undecided);
+        return std::nullopt;
+    }
+
+    std::optional<derivative_on> derivative_beside(const expression& u, const possible_list& list) const {
+        const expression value = at_.derivative(u, list.slopes);
+        return at_.is_finite_near(value) ? std::optional(derivative_on{&list, value, at_.sign(value)}) : std::nullopt;
     }
 
     // Along the branches of all lists; std::nullopt if one is not finite near the beginning. With `beyond` the signs of

@@ -46,6 +46,27 @@ expression base_of(expression e) {
     return e;
 }
 
+// The first quotient with this divisor, if the numerators of all of them are about 0 there, too: at most 2^20 in size.
+std::optional<expression> quotient_of_zeros(const std::vector<expression>& slopes, const expression& base,
+                                            expression_values<ball>& values) {
+    constexpr long largest = 20;
+    std::optional<expression> found;
+    bool pole = false;
+    node_values<bool> seen;
+    for (const expression& slope : slopes) {
+        seen.of(slope, [&](const expression& e) {
+            if (e.kind() == node_kind::quotient && same_form(base_of(e.right()), base)) {
+                const ball above = values.of(e.left());
+                const ball below = values.of(e.right());
+                pole = pole || !is_finite(above) || magnitude(below).shifted(largest) < magnitude(above);
+                found = found.value_or(e);
+            }
+            return true;
+        });
+    }
+    return pole ? std::nullopt : found;
+}
+
 }  // namespace
 
 bool has_no_value_below_zero(const expression& e) {
@@ -91,7 +112,15 @@ std::string small_divisor_text(const explicit_system& system, const ball& time, 
     if (text.size() > longest) {
         return "";
     }
-    return "there |" + text + "| <= " + upper_bound_text(values.of(smallest->second)) +
+    std::string of_zeros;
+    if (const auto quotient = quotient_of_zeros(form.slopes, smallest->second, values)) {
+        const std::string name = formula_text(*quotient, system.variable(), names);
+        of_zeros = name.size() > longest ? ""
+                                         : ", and the numerator of " + name + " is as small" +
+                                               ": solutions cross only common zeros of elementary functions of one "
+                                               "expression, as of sin(x)/x; write it without the common zero";
+    }
+    return "there |" + text + "| <= " + upper_bound_text(values.of(smallest->second)) + of_zeros +
            (ends ? ", of which a root has no real value below 0: if it remains 0, as of an empty store, write "
                    "if(" +
                        text + " > 0, .., 0) with the terms that end there"
