@@ -246,7 +246,7 @@ void explicit_system::read_starts(const equation_system& given, parameter_values
             refuse(name, each.at, "is the highest derivative, and no initial value of the state: leave it out");
         }
         if (of_unknown[order]) {
-            refuse(name, each.at, "has two initial values: give it only one");
+            refuse_second_start(given, each.of);
         }
         of_unknown[order] = named(name, each.at, [&] { return parameters.number_of(each.value); });
     }

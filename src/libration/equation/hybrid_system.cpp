@@ -11,6 +11,7 @@
 #include "libration/equation/defined_zero.hpp"
 #include "libration/scalar/error.hpp"
 #include "removable_singularity.hpp"
+#include "start_values.hpp"
 #include "still_value.hpp"
 #include "varied_value.hpp"
 
@@ -322,7 +323,7 @@ void hybrid_system::read_starts(parameter_values& parameters) {
             refuse(name, each.at, "has no free initial value: leave it out");
         }
         if (std::ranges::count_if(given_.starts, same) > 1) {
-            refuse(name, each.at, "has two initial values: give it only one");
+            refuse_second_start(given_, each.of);
         }
     }
 }
