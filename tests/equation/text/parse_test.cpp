@@ -252,6 +252,9 @@ TEST_CASE("wrong texts are told the place and the remedy", "[ode][parse]") {
         {"y' - y; y(0) = 1", "problem 'y' - y' at line 1, column 1 is not an equation: write one with ="},
         {"y' = ; y(0) = 1", "problem 'y' =' at line 1, column 4 has nothing on one side of =: write both sides"},
         {"y' = y/0; y(0) = 1", "problem 'y' = y/0' at line 1, column 7 divides by zero: choose another number"},
+        {"y' = atan2(0, 0); y(0) = 1",
+         "problem 'y' = atan2(0, 0)' at line 1, column 6 takes atan2 of 0 and 0, which has no value: choose another "
+         "number"},
         {"y' = log(-1)*y; y(0) = 1",
          "problem 'y' = log(-1)*y' at line 1, column 6 takes the logarithm of a number that is not positive: choose "
          "another number"},
@@ -344,6 +347,9 @@ TEST_CASE("an unknown with the name of a column of tables has another column", "
     CHECK(decay.unknowns() == std::vector<std::string>{"n_"});
     CHECK(renamed_unknowns("n' = -n; n(0) = 1") == std::map<std::string, std::string>{{"n", "n_"}});
     CHECK(renamed_unknowns("N' = -N*n; N(0) = 1; n = 2").empty());
+    CHECK(name_before_renaming("n_") == "n");
+    CHECK(name_before_renaming("count__") == "count");
+    CHECK(name_before_renaming("m_") == "m_");
     CHECK(same_form(parse_condition(decay, "n = 1/2"), unknown("n_") - rational(1, 2)));
     CHECK(changed(decay, "n(0) = 3").starts.front().value.fraction() == rational(3));
     CHECK(same_form(parse_value_at_time(decay, "n(0)").of, unknown("n_")));
