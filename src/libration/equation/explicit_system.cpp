@@ -11,6 +11,7 @@
 #include "libration/scalar/error.hpp"
 #include "removable_singularity.hpp"
 #include "singular_form.hpp"
+#include "smooth_equations.hpp"
 #include "start_values.hpp"
 
 namespace libration::ode {
@@ -53,27 +54,6 @@ bool same_number(const number& a, const number& b) {
     return difference && difference->coefficient == 0;
 }
 
-// Events and step functions need a sequence of smooth systems (hybrid/hybrid_system.hpp), delays a sequence of pieces
-// (delay/delay_system.hpp).
-void require_smooth(const equation_system& given) {
-    const std::string reason = ", which only reference, trajectory and verify support";
-    if (!given.events.empty()) {
-        refuse(given.events.front().text, given.events.front().at, "is an event" + reason);
-    }
-    if (!given.steps.empty()) {
-        refuse(given.steps.front().text, given.steps.front().at, "is piecewise" + reason);
-    }
-    const std::string of_values =
-        ", which is supported for values at times (reference, trajectory) alone: leave it out";
-    if (!given.delays.empty()) {
-        const delayed_value& first = given.delays.front();
-        refuse(primed(first.of.name(), first.of.derivative()), first.at, "is delayed" + of_values);
-    }
-    if (!given.histories.empty()) {
-        refuse(given.histories.front().unknown, given.histories.front().at, "has a history" + of_values);
-    }
-}
-
 }  // namespace
 
 std::map<std::string, std::size_t> places_of(const std::vector<unknown_function>& unknowns) {
@@ -85,7 +65,7 @@ std::map<std::string, std::size_t> places_of(const std::vector<unknown_function>
 }
 
 explicit_system::explicit_system(const equation_system& given) : variable_(given.variable) {
-    require_smooth(given);
+    require_smooth_equations(given);
     require_numbers(given);
     parameter_values parameters(given);
     read_unknowns(given);
