@@ -46,7 +46,7 @@ exact positive_number_of(const std::string& option, const std::string& value) {
 void add_digits(CLI::App& command, std::optional<std::string>& value) {
     command
         .add_option("--digits", value,
-                    fmt::format("significant digits, each proved to within one unit in the last place (default {})",
+                    fmt::format("significant digits, each proved to within one unit in the last place (default: {})",
                                 defaults::digits))
         ->type_name("D");
 }

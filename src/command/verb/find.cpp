@@ -331,7 +331,7 @@ subcommand find_command(CLI::App& program) {
                      "the first eigenvalues E of psi'' = (V(x) - E)*psi with a condition at each end, as psi(-inf)=0; "
                      "psi(inf)=0 or psi(0)=0; psi(inf)=0, all of them in increasing order")
         ->type_name("E");
-    command->add_option("--count", options->count, "number of eigenvalues to find (default 1)")->type_name("K");
+    command->add_option("--count", options->count, "number of eigenvalues to find (default: 1)")->type_name("K");
     command->add_flag("--periodic", options->periodic, "the periodic orbit near the initial values, and its period");
     command
         ->add_option(
