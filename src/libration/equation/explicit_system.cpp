@@ -8,6 +8,8 @@
 #include "consistent_initial_values.hpp"
 #include "index_reduction.hpp"
 #include "libration/equation/defined_zero.hpp"
+#include "libration/equation/node_values.hpp"
+#include "libration/function/elementary/log.hpp"
 #include "libration/scalar/error.hpp"
 #include "removable_singularity.hpp"
 #include "singular_form.hpp"
@@ -49,6 +51,37 @@ auto named(const std::string& name, const place& at, const Operation& operation)
     }
 }
 
+// Whether x^y with an exponent that is not constant occurs, which is exp(y*log(x)).
+bool has_written_power(const expression& e) {
+    bool found = false;
+    node_values<bool> done;
+    done.of(e, [&](const expression& node) {
+        const bool is_exponential = node.kind() == node_kind::function && node.function() == function_kind::exp &&
+                                    node.left().kind() == node_kind::product;
+        const auto is_logarithm = [](const expression& factor) {
+            return factor.kind() == node_kind::function && factor.function() == function_kind::log;
+        };
+        found = found || (is_exponential && is_logarithm(node.left().right()));
+        return found;
+    });
+    return found;
+}
+
+// The two sides with values of the parameters. Throws error about a number.
+equation with_values_in(const equation& given, parameter_values& parameters) {
+    try {
+        return {with_removed_singularities(parameters.in(given.left)),
+                with_removed_singularities(parameters.in(given.right)), given.at};
+    } catch (const error& problem) {
+        if (problem.is_about(error_subject::number) && problem.reason() == function::log_function::refusal &&
+            (has_written_power(given.left) || has_written_power(given.right))) {
+            throw error(problem.kind(), error_subject::number, "",
+                        problem.reason() + " (x^y with an exponent that is not constant is exp(y*log(x)))");
+        }
+        throw;
+    }
+}
+
 bool same_number(const number& a, const number& b) {
     const auto difference = (a - b).plain();
     return difference && difference->coefficient == 0;
@@ -72,11 +105,7 @@ explicit_system::explicit_system(const equation_system& given) : variable_(given
     read_starts(given, parameters);
     std::vector<equation> equations;
     for (const equation& each : given.equations) {
-        named("equation", each.at, [&] {
-            equations.push_back({with_removed_singularities(parameters.in(each.left)),
-                                 with_removed_singularities(parameters.in(each.right)), each.at});
-            return 0;
-        });
+        equations.push_back(named("equation", each.at, [&] { return with_values_in(each, parameters); }));
     }
     read_equations(equations);
     for (const equation& each : given.invariants) {
