@@ -109,7 +109,9 @@ TEST_CASE("wrong systems are told what is wrong", "[ode][explicit_system]") {
         {"y' = y; y(0) = 1; y(1) = 2",
          "problem 'y' at line 1, column 19 has another initial point than y: give all initial values at one point, or "
          "leave out the condition elsewhere and solve for an initial value with `libration find --such-that`"},
-        {"y' = y; y(0) = 1; y(0) = 1", "problem 'y' at line 1, column 19 has two initial values, the first one at line 1, column 9: give it only one"},
+        {"y' = y; y(0) = 1; y(0) = 1",
+         "problem 'y' at line 1, column 19 has two initial values, the first one at line 1, column 9: give it only "
+         "one"},
         {"y' = y; y(0) = 1; y'(0) = 1",
          "problem 'y'' at line 1, column 19 is the highest derivative, and no initial value of the state: leave it "
          "out"},

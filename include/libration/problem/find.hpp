@@ -56,7 +56,7 @@ struct orbit_options {
     bool multipliers = false;  ///< also the Floquet multipliers
 };
 
-/// A period as typed, in numbers and parameters of the problem. Throws error for what is no positive number.
+/// A period as typed, in numbers and parameters of the problem. Throws error unless that is a positive number.
 ode::number typed_period(const ode::equation_system& of, const std::string& typed);
 
 /// The periodic orbit near the initial values of an autonomous problem: the unknowns and their lower derivatives,
