@@ -16,6 +16,20 @@ namespace libration::studies {
 
 namespace error_norm_study {
 
+namespace {
+
+// Those of --scalar, the most precise first; without --scalar `usual`.
+std::vector<scalar_spec> scalars_of(const study_request& request, std::vector<scalar_spec> usual) {
+    if (!request.scalar) {
+        return usual;
+    }
+    std::vector<scalar_spec> scalars{*request.scalar};
+    scalars.insert(scalars.end(), request.further_scalars.begin(), request.further_scalars.end());
+    return scalars;
+}
+
+}  // namespace
+
 namespace of_pendulum {
 
 using namespace elliptic;
@@ -161,16 +175,6 @@ std::vector<table> rows_at(const sweep_energy& at, const std::vector<int>& order
     return tables;
 }
 
-std::vector<scalar_spec> scalars_of(const study_request& request) {
-    if (request.scalar) {
-        std::vector<scalar_spec> scalars{*request.scalar};
-        scalars.insert(scalars.end(), request.further_scalars.begin(), request.further_scalars.end());
-        return scalars;
-    }
-    return {read_scalar("ball:50", arithmetics::proved_too), read_scalar("double"), read_scalar("long-double"),
-            read_scalar("quad")};
-}
-
 // The integration belongs to the paper's whole figure: a run in one scalar is one table.
 std::vector<march> marches_for(const study_request& request) {
     const bool asked = !request.scalar && request.step().coefficient > 0;
@@ -179,7 +183,8 @@ std::vector<march> marches_for(const study_request& request) {
 
 // The energies first, each with its orders as cells, and then the integrations.
 study_plan plan(const study_request& request) {
-    const auto scalars = scalars_of(request);
+    const auto scalars = scalars_of(request, {read_scalar("ball:50", arithmetics::proved_too), read_scalar("double"),
+                                              read_scalar("long-double"), read_scalar("quad")});
     const auto marches = marches_for(request);
     std::vector<study_table> tables;
     for (const scalar_spec& scalar : scalars) {
@@ -263,15 +268,23 @@ study_plan plan(const study_request& request) {
     if (!request.equation->limits.empty()) {
         return at_infinity::plan(request);
     }
-    const question asked{equation_sweep_of(request), times_of(request, 2), request.values.of("time"),
-                         request.scalar.value_or(read_scalar("mpfr:20"))};
-    const auto orders = orders_from(request, 0, "");
-    return with_radii(
-        plan_by_numbers({head_of(*asked.sweep, "", asked.scalar, columns_of_equation())}, asked.sweep, "order", orders,
-                        [asked](std::size_t i, const std::vector<int>& chosen) {
-                            return std::vector<table>{rows_at(asked, i, chosen)};
-                        }),
-        asked.sweep, asked.times);
+    const auto sweep = equation_sweep_of(request);
+    const auto times = times_of(request, 2);
+    std::vector<study_table> tables;
+    std::vector<question> asked;
+    for (const scalar_spec& scalar : scalars_of(request, {read_scalar("mpfr:20")})) {
+        asked.push_back({sweep, times, request.values.of("time"), scalar});
+        tables.push_back(head_of(*sweep, tables.empty() ? "" : scalar.name(), scalar, columns_of_equation()));
+    }
+    const auto rows = [asked](std::size_t i, const std::vector<int>& orders) {
+        std::vector<table> all;
+        for (const question& each : asked) {
+            all.push_back(rows_at(each, i, orders));
+        }
+        return all;
+    };
+    return with_radii(plan_by_numbers(std::move(tables), sweep, "order", orders_from(request, 0, ""), rows), sweep,
+                      times);
 }
 
 }  // namespace
@@ -328,7 +341,8 @@ const study& error_norm() {
                 "function 1 - exp(-s/R), s the distance from the start and R the radius that the coefficients show. "
                 "Behind the marks the line of the rate reach/R with the "
                 "radius that the coefficients show. The solution is marched by Taylor series in two precisions; with "
-                "--scalar ball:D it is enclosed, and the norms of series and approximants are proved.",
+                "--scalar ball:D it is enclosed, and the norms of series and approximants are proved. Of several "
+                "arithmetics, separated by commas, the most precise has the lines, and the others have marks.",
             .parameters = {required_times(
                                "the interval, as times at which the error is taken; with conditions at "
                                "infinity in the text not required: up to where the solution has come to them"),

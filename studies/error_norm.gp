@@ -7,6 +7,7 @@ if (equation ne '') {
     load scripts.'/shared/equation.gp'
     eval equation_panels('order')
     eval first_cell('scalar', main, 'scalar', '1')
+    further = 0  # arithmetics besides that of the main table
     eval count_of('far', main, "is('method', 'asymptotic')")
     title_text = 'Error of the series of '.called.' and of its approximants'
     below_text = 'the largest error, '.in_arithmetic(scalar)
@@ -28,6 +29,16 @@ if (equation ne '') {
     key = key_of_kinds('linespoints lw 1.8 dt k pt mark[k] ps 0.7 lc rgb cases < 2 ? hue(1, k) : soft') \
         .(far > 0 ? '' : ', '.key_entry('lines lw 1 dt 3 lc rgb soft', "'rate (reach/R)^N'")).', '.key_of_cases('lines lw 2.4 lc rgb tone(h)')
     entries = shown_in_key(cases) + words(kinds) + 1; letters = cases < 2 ? 16 : 20
+    do for [file in tables] {
+        other = strstrt(file, stem.'_') == 1 && file ne stem.'_radius.csv' ? file[strlen(stem) + 2:strlen(file) - 4] : ''
+        if (other ne '') {
+            further = further + 1; table = table_of('_'.other)
+            layers = layers.', '.curves('log10_norm', '1', sprintf('points pt %d ps 1.1 lw 1.2 lc rgb hue(h, k)', mark_of(further + 3)))
+            key = key.', '.key_entry(sprintf('points pt %d ps 1.1 lw 1.2 lc rgb soft', mark_of(further + 3)), sprintf("'%s'", in_arithmetic(other)))
+        }
+    }
+    table = main
+    entries = entries + further
     load scripts.'/shared/panels.gp'
     exit
 }

@@ -64,6 +64,11 @@ inline table rows_at(const question& asked, std::size_t i, const std::vector<int
 inline study_plan plan(const study_request& request) {
     const question asked{equation_sweep_of(request), times_of(request, 0), request.values.of("time"),
                          request.scalar.value_or(read_scalar("mpfr:20"))};
+    if (!request.further_scalars.empty()) {
+        throw input_error("--scalar", asked.scalar.name() + "," + request.further_scalars.front().name(),
+                          "is a list, and with conditions at infinity this study takes one arithmetic at a time",
+                          "write " + asked.scalar.name());
+    }
     if (asked.scalar.kind != scalar_kind::arbitrary) {
         throw input_error("--scalar", asked.scalar.name(), "has no asymptotic approximants",
                           fmt::format("use mpfr:{}", asked.scalar.digits));

@@ -169,8 +169,9 @@ void add_line(std::vector<std::string>& lines, const std::vector<std::string>& s
 std::vector<std::string> results_comparison::lines(const std::string& published) const {
     std::vector<std::string> lines;
     if (wrong.empty()) {
-        lines.push_back(
-            fmt::format("compared with {}: all {} tables of mpfr and of balls are the same", published, exact));
+        lines.push_back(fmt::format("compared with {}: {} the same", published,
+                                    exact == 1 ? "the one table of mpfr or of balls is"
+                                               : fmt::format("all {} tables of mpfr and of balls are", exact)));
     } else {
         lines.push_back(fmt::format("compared with {}: {} of {} tables of mpfr and of balls differ", published,
                                     wrong.size(), exact));

@@ -22,7 +22,7 @@ class Ball:
     str() prints the digits, each right to one unit in the last. `rigour` is 'proved' (ball arithmetic), 'two-method'
     (runs in MPFR that agree, or a bound of the error known before) or 'heuristic'.
 
-    Arithmetic, whole powers, abs() and comparisons with numbers, of which floats are the doubles that they are, have the
+    Arithmetic, powers, abs() and comparisons with numbers, of which floats are the doubles that they are, have the
     rigour of the least certain operand; their bounds contain the result for all numbers within the bounds. A comparison
     that the bounds do not decide raises UndecidedError, and so do int(), round() and float(). == is True for an exact number
     that is equal, and for a ball with the same digits, bound and rigour. Immutable.
@@ -161,6 +161,8 @@ class Ball:
         known = _bounds_of(other)
         if known is None:
             return NotImplemented
+        if isinstance(known[0], float):
+            raise ValueError(f"{other} is not a finite number")
         rigour = other._parts[2] if isinstance(other, Ball) else rigours["proved"]
         return Ball._between(operation(self.bounds(), known), min(self._parts[2], rigour))
 
@@ -197,9 +199,20 @@ class Ball:
         return self._with(other, lambda x, y: enclosures.product(y, enclosures.reciprocal(x)))
 
     def __pow__(self, n: Any) -> Any:
-        if not isinstance(n, (int, np.integer)):
-            return NotImplemented
-        return Ball._between(enclosures.power(self.bounds(), int(n)), self._parts[2])
+        if isinstance(n, (int, np.integer)):
+            return Ball._between(enclosures.power(self.bounds(), int(n)), self._parts[2])
+        return self._with(n, self._power)
+
+    def __rpow__(self, base: Any) -> Any:
+        return self._with(base, lambda x, y: self._power(y, x))
+
+    def _power(self, x: enclosures.Bounds, y: enclosures.Bounds) -> enclosures.Bounds:
+        """[x]^[y] for positive numbers, where it is monotone in both: between powers of the ends, each proved."""
+        if x[0] <= 0:
+            raise ValueError("a power that is not whole is of a positive number, and this one is not, or not known to be")
+        digits = len(self.digits) + 20
+        ends = [ball(f"({base})^({exponent})", digits).bounds() for base in set(x) for exponent in set(y)]
+        return min(low for low, _ in ends), max(high for _, high in ends)
 
     def _decided(self, what: str, true: bool, false: bool) -> bool:
         if not true and not false:

@@ -84,6 +84,8 @@ class _Formula:
             raise _Unclear
         if not self.next("("):
             return (_name(token) if re.match(r"[^\W\d]", token) else token), _atom
+        if token == "if":
+            return self.cases(), _sum
         inside = self.sum()[0]
         while self.next(","):
             inside += f", {self.sum()[0]}"
@@ -93,6 +95,30 @@ class _Formula:
             return rf"\sqrt{{{inside}}}", _atom
         head = "\\" + token if token in _functions else _name(token)
         return rf"{head}\left({inside}\right)", _atom
+
+    def cases(self) -> str:
+        """The rest of if(condition, value, value)."""
+        condition = self.condition()
+        values = [self.sum()[0] for _ in range(2) if self.next(",")]
+        if len(values) < 2 or not self.next(")"):
+            raise _Unclear
+        return rf"\begin{{cases}} {values[0]} & \text{{if }} {condition} \\ {values[1]} & \text{{otherwise}} \end{{cases}}"
+
+    def condition(self) -> str:
+        """not a < b {and c < d}; groups in parentheses are not of the grammar."""
+        shown = self.comparison()
+        while word := self.next("and", "or"):
+            shown += rf" \text{{ {word} }} {self.comparison()}"
+        return shown
+
+    def comparison(self) -> str:
+        shown = (r"\text{not } " if self.next("not") else "") + self.sum()[0]
+        signs = 0
+        while sign := self.next(*_signs, "<", ">"):
+            shown, signs = f"{shown} {_signs.get(sign, sign)} {self.sum()[0]}", signs + 1
+        if not signs:
+            raise _Unclear
+        return shown
 
     @staticmethod
     def within(part: tuple[str, int], least: int) -> str:

@@ -35,7 +35,9 @@ class Radius(NamedTuple):
     tests: Table
 
     def __str__(self) -> str:
-        return f"{self.value} +- {self.value.uncertainty} (heuristic)" if self.value else self.note
+        if self.value is None:
+            return self.note
+        return f"{self.value}{f' +- {self.value.uncertainty}' if self.value.uncertainty else ''} (heuristic)"
 
     def __repr__(self) -> str:
         return str(self)

@@ -32,6 +32,32 @@ def test_results_contain_the_exact_numbers():
     assert lower < 2 < upper and upper - lower < Fraction(1, 10**28)
 
 
+def test_powers_that_are_not_whole_contain_the_exact_numbers():
+    with mpmath.workdps(60):
+        root = mpmath.sqrt(2)
+        for exact, found in [
+            (mpmath.root(2, 4), ROOT**0.5),
+            (mpmath.power(2, mpmath.mpf(-1) / 6), ROOT ** Fraction(-1, 3)),
+            (mpmath.power(2, root), 2**ROOT),
+            (mpmath.power(root, root), ROOT**ROOT),
+            (mpmath.power(3, mpmath.mpf(-1) / 3), THIRD**THIRD),
+        ]:
+            assert exact in found and found.proved
+            assert Fraction(found.uncertainty) < Fraction(1, 10**18)
+    assert lb.Ball("4") ** 0.5 == 2
+    wide = lb.Ball("1", "0.5") ** lb.Ball("0", "1")  # from 0.5^1 = 1.5^-1 - 1/6 to 0.5^-1
+    assert Fraction(1, 2) in wide and 2 in wide
+    for base in (-ROOT, ROOT - ROOT):
+        with pytest.raises(ValueError, match="of a positive number"):
+            base**0.5
+
+
+def test_arithmetic_with_infinity_is_refused():
+    for operation in (lambda: ROOT * math.inf, lambda: math.inf - ROOT, lambda: ROOT**math.inf):
+        with pytest.raises(ValueError, match="inf is not a finite number"):
+            operation()
+
+
 def test_digits_are_right_to_one_unit_and_bounds_do_not_grow_by_printing():
     total = lb.Ball("0")
     for _ in range(1000):

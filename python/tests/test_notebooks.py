@@ -20,6 +20,11 @@ SPRING = "x'' = -k*x; x(0) = 1; x'(0) = 0; k = 1"
         ("theta1' = omega_max*10^-3", r"\theta_{1}' = \omega_{max} \cdot 10^{-3}"),
         ("x'(0) = 1/3", r"x'\left(0\right) = \frac{1}{3}"),
         ("(x^2)^3 = a - (b - c)", r"\left(x^{2}\right)^{3} = a - \left(b - c\right)"),
+        (
+            "x' = 2*if(0 <= x < 1 and not y > 2, -x, 1)",
+            r"x' = 2 \, \left(\begin{cases} -x & \text{if } 0 \le x < 1 \text{ and } \text{not } y > 2 \\ "
+            r"1 & \text{otherwise} \end{cases}\right)",
+        ),
         ("when y = 0 down: y' = -y'", r"\texttt{when y = 0 down: y' = -y'}"),
     ],
 )

@@ -83,6 +83,10 @@ def test_radius_of_the_tangent():
     assert lb.problem("x' = x; x(0) = 1").radius_bounds()[0].digits == "inf"
 
 
+def test_a_radius_without_an_uncertainty_has_none_in_its_text():
+    assert repr(lb.problem("y' = y; y(0) = 1").radius(20)) == "inf (heuristic)"
+
+
 def test_radius_of_a_list():
     found = lb.radius([Fraction(1, 2**n) for n in range(20)])
     assert abs(found.value.fraction() - 2) <= Fraction(found.value.uncertainty)

@@ -131,6 +131,7 @@ public:
         switch (static_cast<int>(e.getType())) {
             case AST_LOGICAL_AND: return combined(e, " and ", "true");
             case AST_LOGICAL_OR: return combined(e, " or ", "false");
+            case AST_LOGICAL_XOR: return exclusive(e);
             case AST_LOGICAL_NOT: return {"not (" + condition(operand(e, 0)).text + ")", binding::product};
             case AST_CONSTANT_TRUE: return {"true"};
             case AST_CONSTANT_FALSE: return {"false"};
@@ -142,7 +143,7 @@ public:
             case AST_RELATIONAL_NEQ: return compared(e, " != ");
             default: break;
         }
-        throw unsupported("a condition other than comparisons of numbers combined by and, or and not");
+        throw unsupported("a condition other than comparisons of numbers combined by and, or, xor and not");
     }
 
 private:
@@ -155,6 +156,18 @@ private:
             text += (i == 0 ? "" : word) + condition(operand(e, i)).within(binding::product);
         }
         return {text, binding::sum};
+    }
+
+    // An odd number of the operands holds.
+    formula exclusive(const ASTNode& e) const {
+        formula all{"false"};
+        for (unsigned int i = 0; i < e.getNumChildren(); ++i) {
+            const std::string next = condition(operand(e, i)).text;
+            all = i == 0 ? formula{next, binding::sum}
+                         : formula{fmt::format("(({0}) and not ({1})) or (({1}) and not ({0}))", all.text, next),
+                                   binding::sum};
+        }
+        return all;
     }
 
     // a < b, and a < b < c.

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "libration/equation/renamed_unknowns.hpp"
 #include "sweep/study.hpp"
 
 namespace libration::studies {
@@ -54,7 +55,9 @@ inline equation_sweep::equation_sweep(const study_request& request)
     }
     const auto& asked = request.values.of("unknown");
     for (std::size_t i = 0; i < names_.size(); ++i) {
-        const bool chosen = std::ranges::any_of(asked, [&](const exact& word) { return word.text == names_[i]; });
+        const bool chosen = std::ranges::any_of(asked, [&](const exact& word) {
+            return word.text == names_[i] || word.text == ode::name_before_renaming(names_[i]);
+        });
         if (asked.empty() || chosen) {
             unknowns_.push_back(static_cast<int>(i));
         }

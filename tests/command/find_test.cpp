@@ -147,4 +147,22 @@ TEST_CASE("an orbit that a reversal of time maps to itself is found without --un
     check_refused({"find", "--problem", "u'' + 3*u' + u*(1-u) = 0; u(-inf) = 1; u(inf) = 0"}, {"libration reference"});
 }
 
+// Every orbit of the harmonic oscillator has the period 2 pi.
+TEST_CASE("the period of an orbit may be a parameter of the problem", "[command][find]") {
+    const words oscillator{"find",       "--problem", "x' = y; y' = -x; x(0) = 1; y(0) = 0; T = 2*pi; a = 3",
+                           "--periodic", "--digits",  "20",
+                           "--period"};
+    const auto done = run_libration(oscillator + words{"T"});
+    CHECK(done.exit_code == 0);
+    CHECK(done.out.find("6.2831853071795864769") != std::string::npos);
+    CHECK(done.err.find("'T'") == std::string::npos);
+    CHECK(done.err.find("defines 'a', which is not used") != std::string::npos);
+    for (const auto& [typed, reason] : {std::pair{"T - 3*pi", "is not positive"}, {"x", "is not constant"}}) {
+        const auto refused = run_libration(oscillator + words{typed});
+        CHECK(refused.exit_code == 2);
+        CHECK(refused.err.find("--period '" + std::string(typed) + "' " + reason +
+                               ": give a time after which the orbit returns") != std::string::npos);
+    }
+}
+
 }  // namespace command_find_test

@@ -42,6 +42,37 @@ TEST_CASE("a study of an equation writes NAME-P with the text of the equation an
     CHECK(std::filesystem::exists(own / "error_norm-blasius.svg"));
 }
 
+TEST_CASE("the norms of an equation in several arithmetics are in one run and one figure",
+          "[command][problem][study]") {
+    const temporary_folder folder;
+    // y = exp(t): the partial sum of order 4 is 65/24 at t = 1, where the error is largest.
+    const auto done = run_libration({"study", "error_norm", "--problem", "y' = y; y(0) = 1", "--times", "0:1:5",
+                                     "--orders", "4,20", "--scalar", "double,mpfr:30,quad", "--out", "out"},
+                                    folder.path());
+    INFO(done.err);
+    REQUIRE(done.exit_code == 0);
+    const auto own = folder.path() / "out" / "error_norm-typed";
+    CHECK(std::filesystem::exists(own / "error_norm-typed.svg"));
+    const std::string figure = text_of_file(own / "error_norm-typed.svg");
+    CHECK(figure.find("with 30 digits") != std::string::npos);
+    const precision_scope scope(40);
+    const mpfr truth = exp(mpfr(1)) - mpfr(65) / 24;
+    struct arithmetic {
+        std::string suffix, name, tolerance;
+    };
+    for (const auto& [suffix, name, tolerance] :
+         {arithmetic{"", "mpfr:30", "1e-28"}, {"_quad", "quad", "1e-32"}, {"_double", "double", "1e-15"}}) {
+        INFO(name);
+        const auto rows = csv_rows(text_of_file(own / ("error_norm-typed" + suffix + ".csv")));
+        CHECK(rows.front().at("method") == "series");
+        CHECK(rows.front().at("scalar") == name);
+        CHECK(abs(number_of(rows.front().at("norm")) - truth) < number_of(tolerance));
+        CHECK((suffix.empty() || figure.find("in " + name) != std::string::npos));
+    }
+    check_refused({"study", "error_norm", "--problem", "y'' = y; y(0) = 1; y(inf) = 0", "--scalar", "mpfr:20,mpfr:30"},
+                  {"--scalar 'mpfr:30,mpfr:20' is a list", "at a time: write mpfr:30"});
+}
+
 TEST_CASE("shards of a study of a typed equation make the tables of the whole run", "[command][problem][journal]") {
     const words order{"study", "radius_map", "--problem", "y' = y^2 + c; y(0) = 0; c = 1",
                       "--set", "c=1,2,4",    "--orders",  "20,30"};

@@ -59,7 +59,7 @@ TEST_CASE("reproduce writes into reproduced/ and leaves what is published alone"
     CHECK_FALSE(fs::exists(folder.path() / "results"));
     CHECK_FALSE(fs::exists(folder.path() / "reproduced" / "unfinished.json"));
     // With the results of the source tree.
-    CHECK(lines_with(done.err, "/results: all 1 tables of mpfr and of balls are the same") == 1);
+    CHECK(lines_with(done.err, "/results: the one table of mpfr or of balls is the same") == 1);
 }
 
 TEST_CASE("reproduce says that the tables are the same, and ends in 1 where one of mpfr is not",
@@ -67,7 +67,7 @@ TEST_CASE("reproduce says that the tables are the same, and ends in 1 where one 
     const published_folder results;
     const finished_process same = run_libration(quick, results.path());
     CHECK(same.exit_code == 0);
-    CHECK(lines_with(same.err, "compared with results: all 1 tables of mpfr and of balls are the same") == 1);
+    CHECK(lines_with(same.err, "compared with results: the one table of mpfr or of balls is the same") == 1);
     CHECK(lines_with(same.err, "differ") == 0);
 
     const std::string csv = text_of_file(results.file("period_error.csv"));

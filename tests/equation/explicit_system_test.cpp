@@ -109,7 +109,9 @@ TEST_CASE("wrong systems are told what is wrong", "[ode][explicit_system]") {
         {"y' = y; y(0) = 1; y(1) = 2",
          "problem 'y' at line 1, column 19 has another initial point than y: give all initial values at one point, or "
          "leave out the condition elsewhere and solve for an initial value with `libration find --such-that`"},
-        {"y' = y; y(0) = 1; y(0) = 1", "problem 'y' at line 1, column 19 has two initial values: give it only one"},
+        {"y' = y; y(0) = 1; y(0) = 1",
+         "problem 'y' at line 1, column 19 has two initial values, the first one at line 1, column 9: give it only "
+         "one"},
         {"y' = y; y(0) = 1; y'(0) = 1",
          "problem 'y'' at line 1, column 19 is the highest derivative, and no initial value of the state: leave it "
          "out"},
@@ -136,6 +138,9 @@ TEST_CASE("wrong systems are told what is wrong", "[ode][explicit_system]") {
         {"y' = y^(1/3); y(0) = 0",
          "problem 'y'' cannot be expanded about the initial point, because its right-hand side takes a non-integer "
          "power of 0: choose another initial point"},
+        {"y' = a^t; y(0) = 1; a = 0",
+         "problem 'equation' at line 1, column 1 takes the logarithm of a number that is not positive (x^y with an "
+         "exponent that is not constant is exp(y*log(x))): choose other numbers"},
         {"y' = asin(y); y(0) = 1",
          "problem 'y'' cannot be expanded about the initial point, because its right-hand side takes acos or asin of 1 "
          "or -1, where they have no series: choose another initial point"},

@@ -94,6 +94,27 @@ TEST_CASE("combined conditions of a model are those of a problem", "[import]") {
     CHECK(mpfr(found.at(0, "x")) == 1);
 }
 
+// x' = 1 where an odd number of t < 1, t < 2, t < 4 holds: on [0, 1] and [2, 4].
+TEST_CASE("an odd number of operands of an exclusive or holds", "[import]") {
+    const auto before = [](const std::string& time) {
+        return R"(<apply><lt/><csymbol encoding="text" definitionURL="http://www.sbml.org/sbml/symbols/time">t</csymbol>)"
+               "<cn>" +
+               time + "</cn></apply>";
+    };
+    const temporary_folder folder;
+    const std::string printed =
+        output_of({"import", file_with(folder, with_rate("<piecewise><piece><cn>1</cn><apply><xor/>" + before("1") +
+                                                         before("2") + before("4") +
+                                                         "</apply></piece><otherwise><cn>0</cn></otherwise>"
+                                                         "</piecewise>"))});
+    const answer found = solve(problem(printed))->states("0,1/2,3/2,3,5", proved_digits(20));
+    const mpfr start(found.at(0, "x"));
+    CHECK(mpfr(found.at(1, "x")) == start + 0.5);
+    CHECK(mpfr(found.at(2, "x")) == start + 1);
+    CHECK(mpfr(found.at(3, "x")) == start + 2);
+    CHECK(mpfr(found.at(4, "x")) == start + 3);
+}
+
 TEST_CASE("formulas of a model keep their order of operations", "[import]") {
     const std::vector<std::pair<std::string, std::string>> formulas{
         {"<apply><minus/><ci>x</ci><apply><minus/><ci>x</ci><cn>2</cn></apply></apply>", "x - (x - 2)"},

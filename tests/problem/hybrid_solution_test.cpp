@@ -388,6 +388,14 @@ TEST_CASE("solutions that may remain on a surface or leave it end with this reas
                       Catch::Contains("can continue on more than one branch"));
 }
 
+TEST_CASE("a condition of equal numbers that no precision tells apart is named", "[problem][hybrid]") {
+    CHECK_THROWS_WITH(solve(problem("y' = if(exp(log(3)) == 3, 1, 2); y(0) = 1")),
+                      Catch::Contains("'if(exp(log(3)) == 3, 1, 2)' at line 1, column 6 has a number that may be 0") &&
+                          Catch::Contains("write it in another form"));
+    CHECK_THROWS_WITH(solve(problem("y' = if(sin(t)^2 + cos(t)^2 == 1, 1, 2); y(0) = 1")),
+                      Catch::EndsWith("choose another initial point, or write the condition in another form"));
+}
+
 // The value on the surface is on neither side, two surfaces are open, or another condition contains the sign.
 TEST_CASE("sliding that is not proved to be the only solution ends", "[problem][hybrid][sliding]") {
     CHECK_THAT(missing_of("v' = if(v > 0, -1, if(v < 0, 1, 5)); v(0) = 1", "2"), Catch::Contains("is not reached"));

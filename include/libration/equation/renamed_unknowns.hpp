@@ -12,4 +12,8 @@ namespace libration::ode {
 /// both. Throws error for text that is not a statement.
 std::map<std::string, std::string> renamed_unknowns(std::string_view text);
 
+/// The name in the text of the unknown that is in this column: n of n_; that of the column itself, unless it is such a
+/// name.
+std::string_view name_before_renaming(std::string_view column);
+
 }  // namespace libration::ode

@@ -56,6 +56,9 @@ struct orbit_options {
     bool multipliers = false;  ///< also the Floquet multipliers
 };
 
+/// A period as typed, in numbers and parameters of the problem. Throws error unless that is a positive number.
+ode::number typed_period(const ode::equation_system& of, const std::string& typed);
+
 /// The periodic orbit near the initial values of an autonomous problem: the unknowns and their lower derivatives,
 /// and `period`; name and value, a row for each, each digit proved, compared and watched as above. With multipliers rows
 /// "multiplier 1", or "multiplier 1, real part" and "multiplier 1, imaginary part"; those that are exactly 1 first, the others in

@@ -46,6 +46,19 @@ public:
         }
         return text;
     }
+    // Defaults are in the descriptions, all in one form.
+    std::string make_option_opts(const CLI::Option* option) const override {
+        std::string text = Formatter::make_option_opts(option);
+        const std::string usual = "=" + option->get_default_str();
+        if (const auto at = text.find(usual); usual.size() > 1 && at != std::string::npos) {
+            text.erase(at, usual.size());
+        }
+        return text;
+    }
+    std::string make_option_desc(const CLI::Option* option) const override {
+        const std::string usual = option->get_default_str();
+        return Formatter::make_option_desc(option) + (usual.empty() ? "" : " (default: " + usual + ")");
+    }
     std::string make_option(const CLI::Option* option, bool is_positional) const override {
         return wrapped(Formatter::make_option(option, is_positional), help_column);
     }

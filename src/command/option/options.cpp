@@ -11,6 +11,7 @@
 #include <system_error>
 #include <utility>
 
+#include "libration/equation/renamed_unknowns.hpp"
 #include "libration/number/grid.hpp"
 #include "libration/scalar/decimal.hpp"
 #include "option/output_place.hpp"
@@ -45,7 +46,7 @@ exact positive_number_of(const std::string& option, const std::string& value) {
 void add_digits(CLI::App& command, std::optional<std::string>& value) {
     command
         .add_option("--digits", value,
-                    fmt::format("significant digits, each proved to within one unit in the last place (default {})",
+                    fmt::format("significant digits, each proved to within one unit in the last place (default: {})",
                                 defaults::digits))
         ->type_name("D");
 }
@@ -132,8 +133,12 @@ table with_named_columns(const table& data, const std::string& names) {
     }
     std::istringstream list(names);
     for (std::string name; std::getline(list, name, ',');) {
-        const auto found = std::find_if(data.columns().begin(), data.columns().end(),
-                                        [&](const column& each) { return each.name == name; });
+        auto found = std::find_if(data.columns().begin(), data.columns().end(),
+                                  [&](const column& each) { return each.name == name; });
+        if (found == data.columns().end()) {
+            found = std::find_if(data.columns().begin(), data.columns().end(),
+                                 [&](const column& each) { return ode::name_before_renaming(each.name) == name; });
+        }
         if (found == data.columns().end()) {
             throw input_error("--columns", name, "is not a column of this table", "choose from " + all);
         }

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "libration/equation/renamed_unknowns.hpp"
 #include "libration/scalar/near_word.hpp"
 #include "text/input_error.hpp"
 #include "text/members.hpp"
@@ -88,7 +89,8 @@ void plot_axes::require_known(const std::vector<column>& columns) const {
                 stem = name.substr(0, name.size() - end.size());
             }
         }
-        if (name != "t" && name != "invariant_drift" && std::ranges::find(offered, stem) == offered.end()) {
+        if (name != "t" && name != "invariant_drift" && std::ranges::find(offered, stem) == offered.end() &&
+            std::ranges::find(offered, stem, ode::name_before_renaming) == offered.end()) {
             refuse_name(name, offered);
         }
     }
@@ -102,6 +104,9 @@ std::vector<std::size_t> plot_axes::places_in(const table& data) const {
         auto found = std::ranges::find(all, name);
         if (found == all.end() && name == "t") {
             found = std::ranges::find(all, "time");
+        }
+        if (found == all.end()) {
+            found = std::ranges::find(all, name, ode::name_before_renaming);
         }
         if (found == all.end() || std::ranges::find(offered, *found) == offered.end()) {
             refuse_name(name, offered);

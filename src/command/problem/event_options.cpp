@@ -42,14 +42,14 @@ int positive_count(const char* option, const std::string& value, int most, const
 void event_options::add_to(CLI::App& command) {
     command.add_option("--until", until_, "with --problem: the times at which a condition holds, e.g. \"x' = 0\"")
         ->type_name("G=H");
-    command.add_option("--count", count_, "number of events to find (default 1)")->type_name("K");
+    command.add_option("--count", count_, "number of events to find (default: 1)")->type_name("K");
     command.add_option("--crossing", way_, "only events where G - H increases (up) or decreases (down) with time")
         ->type_name("WAY");
     command.add_option("--before", before_, "only events before or at this time")->type_name("TIME");
     command.add_flag("--from-start", from_start_, "include the initial time if the condition holds there");
     command
         .add_option("--horizon", horizon_,
-                    fmt::format("maximum number of steps without such an event (default {}; none with --before)",
+                    fmt::format("maximum number of steps without such an event (default: {}; none with --before)",
                                 ode::zero_search::usual_horizon))
         ->type_name("STEPS");
     command.add_flag("--how-many", how_many_,

@@ -231,6 +231,10 @@ void problem_options::warn_of_unused(const std::string& written) const {
     for (const std::string& each : shown_) {
         used += "\ninvariant " + each;
     }
+    const CLI::Option* const period = command_->get_option_no_throw("--period");
+    for (const std::string& each : period == nullptr ? std::vector<std::string>() : period->results()) {
+        used += "\ninvariant " + each;
+    }
     try {
         warn_of_unused_parameters(used);
     } catch (const error&) {

@@ -129,7 +129,7 @@ void set_options::add_to(CLI::App& command) {
     command
         .add_option("--parts", parts_,
                     "with sets, x(0) = [0.9, 1.1] or k = 1 +- 0.1: maximum number of parts into which the set is "
-                    "divided (default 64)")
+                    "divided (default: 64)")
         ->type_name("N");
 }
 

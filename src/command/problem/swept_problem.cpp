@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "change_words.hpp"
+#include "libration/equation/renamed_unknowns.hpp"
 #include "libration/equation/text/limit_condition.hpp"
 #include "libration/equation/text/parse.hpp"
 #include "libration/problem/limit_text.hpp"
@@ -54,7 +55,8 @@ axis axis_of(const set_axis& each) {
 problem_family axes_of(const swept_problem& of) {
     const auto names = of.system.unknowns();
     const auto require_unknown = [names](const exact& word) {
-        if (std::ranges::find(names, word.text) == names.end()) {
+        if (std::ranges::find(names, word.text) == names.end() &&
+            std::ranges::find(names, word.text, ode::name_before_renaming) == names.end()) {
             throw error(error_kind::argument, "list", "",
                         "has '" + word.text + "', which is not an unknown of the problem");
         }

@@ -255,6 +255,8 @@ void check_time() {
     }
 }
 
+bool is_ending() { return current().ending; }
+
 status_source::status_source(std::function<std::string()> status) {
     const std::lock_guard lock(current().mutex);
     current().sources.push_back(std::move(status));

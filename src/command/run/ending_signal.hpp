@@ -59,6 +59,8 @@ private:
 
 /// Throws error of the kind undecided, with how far the command got, if it is to end.
 void check_time();
+/// Whether a signal or --timeout is ending the command, so that what returns is not complete.
+bool is_ending();
 
 /// During its lifetime, the line with which a command ends contains this text: how far it got. The function is called
 /// from another thread.

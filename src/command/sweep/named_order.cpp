@@ -90,6 +90,7 @@ std::shared_ptr<const study> study_about(const study& what, const shared_problem
     };
     result->version = what.version;
     result->offers = what.offers;
+    result->several_scalars = what.several_scalars;
     result->alone = what.alone;
     result->script = what.name;
     result->command = what.name + " " + equation->command();

@@ -143,7 +143,7 @@ subcommand coefficients_command(CLI::App& program) {
     options->arithmetic.add_to(*command, arithmetics::proved_too);
     options->output.add_to(*command);
     command->add_option("--order", options->order, "last power N")->type_name("N")->required();
-    command->add_option("--from", options->from, "first power to print (default 0); does not affect the cost")
+    command->add_option("--from", options->from, "first power to print (default: 0); does not affect the cost")
         ->type_name("N");
     command
         ->add_option(

@@ -9,7 +9,6 @@
 #include "first_values.hpp"
 #include "found_eigenvalues.hpp"
 #include "found_solutions.hpp"
-#include "libration/equation/text/parse.hpp"
 #include "libration/number/grid.hpp"
 #include "libration/problem/find.hpp"
 #include "libration/problem/known_facts.hpp"
@@ -86,14 +85,6 @@ void require_as_many_conditions(const find_options& options) {
                                   unknowns, conditions,
                                   conditions < unknowns ? typed_unknowns(options) + " --such-that \"y(1) = 0\""
                                                         : "with another name in " + typed_unknowns(options)));
-}
-
-void require_positive_period(const std::string& typed) {
-    const std::string form = "give a time after which the orbit returns, such as 6.3";
-    if (!typed.empty() &&
-        reading("--period", typed, form, [&] { return ode::parse_constant(typed).constant(); }).sign() <= 0) {
-        throw input_error("--period", typed, "is not positive", form);
-    }
 }
 
 answer found_by(const find_options& options, const problem& of, const request& how) {
@@ -240,7 +231,6 @@ int run_find(find_options options) {
             {*options.eigenvalue, options.count, options.conditions, digits, options.check}, options.problem);
         return print_solutions(options, found, digits, found.solutions().front().missing);
     }
-    require_positive_period(options.orbit.period);
     if (options.certificate) {
         require_output_place("--certificate", *options.certificate);
     }
@@ -251,6 +241,10 @@ int run_find(find_options options) {
     const auto along = options.along ? std::optional(read_along(options)) : std::nullopt;
     require_first_values(options.problem, options.unknowns, guesses.front(), along);
     problem of(options.problem.equations(first_values(guesses.front(), along)));
+    if (!options.orbit.period.empty()) {
+        reading("--period", options.orbit.period, "give a time after which the orbit returns, such as 6.3",
+                [&] { return typed_period(of.equations(), options.orbit.period); });
+    }
     if (options.homoclinic) {
         of = with_homoclinic_limits(options, of, guesses.front());
     }
@@ -339,7 +333,7 @@ subcommand find_command(CLI::App& program) {
                      "the first eigenvalues E of psi'' = (V(x) - E)*psi with a condition at each end, as psi(-inf)=0; "
                      "psi(inf)=0 or psi(0)=0; psi(inf)=0, all of them in increasing order")
         ->type_name("E");
-    command->add_option("--count", options->count, "number of eigenvalues to find (default 1)")->type_name("K");
+    command->add_option("--count", options->count, "number of eigenvalues to find (default: 1)")->type_name("K");
     command->add_flag("--periodic", options->periodic, "the periodic orbit near the initial values, and its period");
     command
         ->add_option(

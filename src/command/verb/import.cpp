@@ -28,7 +28,7 @@ subcommand import_command(CLI::App& program) {
     CLI::App* const command =
         program.add_subcommand("import", "print a model in SBML as a problem, for a file with the ending .ode");
     auto file = std::make_shared<std::string>();
-    command->add_option("FILE", *file, "the model: reactions, rules, and events without delay")->required();
+    command->add_option("FILE", *file, "the model: reactions, rules, events and delays")->required();
     return {command, [file] { return import_model(*file); }};
 }
 

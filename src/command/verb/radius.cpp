@@ -252,7 +252,7 @@ subcommand radius_command(CLI::App& program) {
     options->arithmetic.add_to(*command);
     options->output.add_to(*command);
     options->plot.add_to(*command, "ratios, roots and Pade poles of the coefficients");
-    command->add_option("--order", options->order, "last power N (default for a file: all of its coefficients)")
+    command->add_option("--order", options->order, "last power N (default: for a file all of its coefficients)")
         ->type_name("N");
     options->rounding.add_to(*command, "rounded if all have the same number of digits, 17 or more; exact otherwise");
     command->add_option("--biased", options->biased, "also the exponent if the singularity is known to be at X")

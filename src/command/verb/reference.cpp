@@ -23,6 +23,7 @@
 #include "problem/problem_trajectory.hpp"
 #include "problem/set_options.hpp"
 #include "problem/solution_table.hpp"
+#include "run/ending_signal.hpp"
 #include "run/parallel.hpp"
 #include "run/progress.hpp"
 #include "sweep/study_order.hpp"
@@ -205,7 +206,9 @@ std::vector<partial_table> answered(const std::vector<asked_solution>& asked, co
                                         .reached = [&](double time, long bits) { to.reached(time, bits); },
                                         .integrator = options.integrator.choice(),
                                         .observer = observer});
-        to(1);
+        if (!is_ending()) {
+            to(1);
+        }
     });
     if (trace) {
         trace->finish();

@@ -278,7 +278,7 @@ subcommand study_command(CLI::App& program) {
         ->add_option("--set", options->sets,
                      "values of a parameter or an initial value of --problem, as an axis of the study")
         ->type_name("X=LIST");
-    command->add_option("--unknowns", options->words["--unknowns"], "unknowns of --problem (default all)")
+    command->add_option("--unknowns", options->words["--unknowns"], "unknowns of --problem (default: all)")
         ->type_name("NAMES");
     command
         ->add_option("--columns", options->columns,

@@ -285,7 +285,7 @@ subcommand trajectory_command(CLI::App& program) {
         ->type_name("LIST");
     command
         ->add_option("--step", options->step,
-                     fmt::format("step of rk4 in dimensionless time, or in the variable of a problem (default {})",
+                     fmt::format("step of rk4 in dimensionless time, or in the variable of a problem (default: {})",
                                  defaults::step))
         ->type_name("H");
     command

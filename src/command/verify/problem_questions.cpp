@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "libration/equation/renamed_unknowns.hpp"
 #include "problem/motion_cells.hpp"
 #include "text/csv_records.hpp"
 #include "text/input_error.hpp"
@@ -44,7 +45,8 @@ problem_layout::problem_layout(ode::hybrid_system system, const compare_rules& r
 std::vector<known_column> problem_layout::known() const {
     std::vector<known_column> columns{{"time", {"time", variable_}}};
     for (const std::string& name : names_) {
-        columns.push_back({name});
+        const std::string_view before = ode::name_before_renaming(name);
+        columns.push_back(before == "time" ? known_column{name} : known_column{name, {before}});
     }
     return columns;
 }

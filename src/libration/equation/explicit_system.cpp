@@ -8,9 +8,12 @@
 #include "consistent_initial_values.hpp"
 #include "index_reduction.hpp"
 #include "libration/equation/defined_zero.hpp"
+#include "libration/equation/node_values.hpp"
+#include "libration/function/elementary/log.hpp"
 #include "libration/scalar/error.hpp"
 #include "removable_singularity.hpp"
 #include "singular_form.hpp"
+#include "smooth_equations.hpp"
 #include "start_values.hpp"
 
 namespace libration::ode {
@@ -48,30 +51,40 @@ auto named(const std::string& name, const place& at, const Operation& operation)
     }
 }
 
+// Whether x^y with an exponent that is not constant occurs, which is exp(y*log(x)).
+bool has_written_power(const expression& e) {
+    bool found = false;
+    node_values<bool> done;
+    done.of(e, [&](const expression& node) {
+        const bool is_exponential = node.kind() == node_kind::function && node.function() == function_kind::exp &&
+                                    node.left().kind() == node_kind::product;
+        const auto is_logarithm = [](const expression& factor) {
+            return factor.kind() == node_kind::function && factor.function() == function_kind::log;
+        };
+        found = found || (is_exponential && is_logarithm(node.left().right()));
+        return found;
+    });
+    return found;
+}
+
+// The two sides with values of the parameters. Throws error about a number.
+equation with_values_in(const equation& given, parameter_values& parameters) {
+    try {
+        return {with_removed_singularities(parameters.in(given.left)),
+                with_removed_singularities(parameters.in(given.right)), given.at};
+    } catch (const error& problem) {
+        if (problem.is_about(error_subject::number) && problem.reason() == function::log_function::refusal &&
+            (has_written_power(given.left) || has_written_power(given.right))) {
+            throw error(problem.kind(), error_subject::number, "",
+                        problem.reason() + " (x^y with an exponent that is not constant is exp(y*log(x)))");
+        }
+        throw;
+    }
+}
+
 bool same_number(const number& a, const number& b) {
     const auto difference = (a - b).plain();
     return difference && difference->coefficient == 0;
-}
-
-// Events and step functions need a sequence of smooth systems (hybrid/hybrid_system.hpp), delays a sequence of pieces
-// (delay/delay_system.hpp).
-void require_smooth(const equation_system& given) {
-    const std::string reason = ", which only reference, trajectory and verify support";
-    if (!given.events.empty()) {
-        refuse(given.events.front().text, given.events.front().at, "is an event" + reason);
-    }
-    if (!given.steps.empty()) {
-        refuse(given.steps.front().text, given.steps.front().at, "is piecewise" + reason);
-    }
-    const std::string of_values =
-        ", which is supported for values at times (reference, trajectory) alone: leave it out";
-    if (!given.delays.empty()) {
-        const delayed_value& first = given.delays.front();
-        refuse(primed(first.of.name(), first.of.derivative()), first.at, "is delayed" + of_values);
-    }
-    if (!given.histories.empty()) {
-        refuse(given.histories.front().unknown, given.histories.front().at, "has a history" + of_values);
-    }
 }
 
 }  // namespace
@@ -85,18 +98,14 @@ std::map<std::string, std::size_t> places_of(const std::vector<unknown_function>
 }
 
 explicit_system::explicit_system(const equation_system& given) : variable_(given.variable) {
-    require_smooth(given);
+    require_smooth_equations(given);
     require_numbers(given);
     parameter_values parameters(given);
     read_unknowns(given);
     read_starts(given, parameters);
     std::vector<equation> equations;
     for (const equation& each : given.equations) {
-        named("equation", each.at, [&] {
-            equations.push_back({with_removed_singularities(parameters.in(each.left)),
-                                 with_removed_singularities(parameters.in(each.right)), each.at});
-            return 0;
-        });
+        equations.push_back(named("equation", each.at, [&] { return with_values_in(each, parameters); }));
     }
     read_equations(equations);
     for (const equation& each : given.invariants) {
@@ -246,7 +255,7 @@ void explicit_system::read_starts(const equation_system& given, parameter_values
             refuse(name, each.at, "is the highest derivative, and no initial value of the state: leave it out");
         }
         if (of_unknown[order]) {
-            refuse(name, each.at, "has two initial values: give it only one");
+            refuse_second_start(given, each.of);
         }
         of_unknown[order] = named(name, each.at, [&] { return parameters.number_of(each.value); });
     }

@@ -11,6 +11,7 @@
 #include "libration/equation/defined_zero.hpp"
 #include "libration/scalar/error.hpp"
 #include "removable_singularity.hpp"
+#include "start_values.hpp"
 #include "still_value.hpp"
 #include "varied_value.hpp"
 
@@ -322,7 +323,7 @@ void hybrid_system::read_starts(parameter_values& parameters) {
             refuse(name, each.at, "has no free initial value: leave it out");
         }
         if (std::ranges::count_if(given_.starts, same) > 1) {
-            refuse(name, each.at, "has two initial values: give it only one");
+            refuse_second_start(given_, each.of);
         }
     }
 }
@@ -512,8 +513,19 @@ std::optional<number> hybrid_system::constant_step(std::size_t step, const step_
 }
 
 number hybrid_system::step_value(std::size_t step, const number& argument) const {
-    return given_.steps[step].kind == step_kind::sign ? integer_number(argument.sign())
-                                                      : floor_of(argument, given_.steps[step].divisor);
+    const step_function& of = given_.steps[step];
+    try {
+        return of.kind == step_kind::sign ? integer_number(argument.sign()) : floor_of(argument, of.divisor);
+    } catch (const error& problem) {
+        if (problem.kind() != error_kind::undecided || !problem.is_about(error_subject::number)) {
+            throw;
+        }
+        const std::string where = of.at.line == 0 ? ""
+                                                  : "at line " + std::to_string(of.at.line) + ", column " +
+                                                        std::to_string(of.at.column) + " ";
+        throw error(error_kind::undecided, error_subject::problem, beginning_of(of.text),
+                    where + "has a number that " + problem.reason() + ": write it in another form");
+    }
 }
 
 bool hybrid_system::is_at_rest(std::size_t step, const step_values& values) const {

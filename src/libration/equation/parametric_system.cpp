@@ -7,6 +7,7 @@
 
 #include "libration/equation/dependency.hpp"
 #include "libration/scalar/near_word.hpp"
+#include "smooth_equations.hpp"
 
 namespace libration::ode {
 
@@ -43,6 +44,7 @@ std::string parameter_for_start(equation_system& made, const std::string& name, 
 class opening {
 public:
     opening(equation_system given, std::vector<std::string> names) : made_(std::move(given)), names_(std::move(names)) {
+        require_smooth_equations(made_);
         require_numbers(made_);
         made_.exact.clear();
         for (std::size_t i = 0; i < names_.size(); ++i) {

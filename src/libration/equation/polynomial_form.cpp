@@ -341,7 +341,7 @@ void require_polynomial_form(const explicit_system& of, relative_functions as) {
             if (x && *x == points.points[static_cast<std::size_t>(i)]) {
                 refuse("", {},
                        std::string("has an initial point where it ") + points.reason +
-                           ", so that its values are not proved: choose another initial point");
+                           ", which proofs by polynomials, as certificates, require: choose another initial point");
             }
         }
         return true;

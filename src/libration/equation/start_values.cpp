@@ -1,6 +1,8 @@
 #include "start_values.hpp"
 
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "libration/function/list.hpp"
 #include "libration/scalar/error.hpp"
@@ -112,6 +114,19 @@ leaf_value leaves_at_start(const explicit_system& of) {
         const auto order = static_cast<std::size_t>(leaf.derivative());
         return order < of_unknown.size() ? std::optional(of_unknown[order]) : std::nullopt;
     };
+}
+
+void refuse_second_start(const equation_system& given, const expression& of) {
+    std::vector<place> places;
+    for (const start& each : given.starts) {
+        if (same_form(each.of, of)) {
+            places.push_back(each.at);
+        }
+    }
+    const std::string first = places.at(0).line == 0 ? ""
+                                                     : ", the first one at line " + std::to_string(places.at(0).line) +
+                                                           ", column " + std::to_string(places.at(0).column);
+    refuse(primed(of.name(), of.derivative()), places.at(1), "has two initial values" + first + ": give it only one");
 }
 
 }  // namespace libration::ode

@@ -39,4 +39,7 @@ private:
 /// The values of t, s = 0 and the unknowns at the initial point of a system, which must outlive the result.
 leaf_value leaves_at_start(const explicit_system& of);
 
+/// Two initial values of the same unknown or derivative, `of`: names the places of the first two.
+[[noreturn]] void refuse_second_start(const equation_system& given, const expression& of);
+
 }  // namespace libration::ode

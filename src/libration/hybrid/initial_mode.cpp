@@ -524,9 +524,10 @@ initial_mode mode_at_start(const hybrid_system& system) {
             throw error(error_kind::argument, error_subject::start, text,
                         "has no value at the initial point, where it " + *reason + ": choose another initial point");
         }
-        throw error(
-            error_kind::undecided, error_subject::start, text,
-            "begins on a switching surface: " + reason_of(found.failure, "") + ": choose another initial point");
+        throw error(error_kind::undecided, error_subject::start, text,
+                    "begins on a switching surface: " + reason_of(found.failure, "") +
+                        ": choose another initial point" +
+                        (found.failure == mode_failure::undecided ? ", or write the condition in another form" : ""));
     }
     return found;
 }

@@ -9,18 +9,6 @@ namespace libration {
 
 namespace {
 
-std::optional<ode::number> period_in(const std::string& typed) {
-    if (typed.empty()) {
-        return std::nullopt;
-    }
-    const ode::number period = ode::parse_constant(typed).constant();
-    if (period.sign() <= 0) {
-        throw error(error_kind::argument, "period", typed,
-                    "is not positive: give a time after which the orbit returns");
-    }
-    return period;
-}
-
 // A bound is kept as 0 with that uncertainty.
 found_values values_of_orbit(const ode::periodic_orbit& orbit) {
     found_values found{orbit.names, orbit.start};
@@ -92,9 +80,24 @@ std::vector<answer_note> notes_of_orbit(const ode::periodic_orbit& orbit, const 
 
 }  // namespace
 
+ode::number typed_period(const ode::equation_system& of, const std::string& typed) {
+    const auto refuse = [&](const std::string& reason) { throw error(error_kind::argument, "period", typed, reason); };
+    const ode::expression period = ode::parse_condition(of, typed + " = 0");
+    if (period.kind() != ode::node_kind::constant) {
+        refuse("is not constant");
+    }
+    if (period.constant().sign() <= 0) {
+        refuse("is not positive");
+    }
+    return period.constant();
+}
+
 answer find_periodic_orbit(const problem& of, const request& how, const orbit_options& options) {
     const ode::explicit_system system(of.equations());
-    ode::orbit_question question{how.printed_digits(), period_in(options.period), options.multipliers};
+    ode::orbit_question question{how.printed_digits(), std::nullopt, options.multipliers};
+    if (!options.period.empty()) {
+        question.period = typed_period(of.equations(), options.period);
+    }
     std::optional<ode::periodic_orbit> first;
     answer result = found_by(how, [&](long digits, const ode::proof_route& route) {
         question.digits = digits;

@@ -139,6 +139,8 @@ TEST_CASE("a change replaces numbers and sets by each other", "[ode][parse]") {
 TEST_CASE("unused parameters are those that stand in their definition alone", "[ode][parse]") {
     CHECK(unused_parameters("y' = y; y(0) = 1; k = 3") == std::vector<std::string>{"k"});
     CHECK(unused_parameters("y' = -a*y; y(0) = b; a = c; b = 1; c = 2 # d = 1").empty());
+    CHECK(unused_parameters("y' = y; y(0) = 1; c = b*k; b = a + 1; a = 2*y; k = 1").empty());  // c may be shown
+    CHECK(unused_parameters("y' = y; y(0) = 1; b = a + 1; a = 2") == std::vector<std::string>{"b"});
     CHECK(unused_parameters("y' = y; y(0) = 1; y1 = 3; invariant y*k; k = 1") == std::vector<std::string>{"y1"});
     CHECK(unused_parameters("y' = y; y(0) = 1; exact y = a*exp(t); a = 1").empty());
 }
@@ -250,6 +252,9 @@ TEST_CASE("wrong texts are told the place and the remedy", "[ode][parse]") {
         {"y' - y; y(0) = 1", "problem 'y' - y' at line 1, column 1 is not an equation: write one with ="},
         {"y' = ; y(0) = 1", "problem 'y' =' at line 1, column 4 has nothing on one side of =: write both sides"},
         {"y' = y/0; y(0) = 1", "problem 'y' = y/0' at line 1, column 7 divides by zero: choose another number"},
+        {"y' = atan2(0, 0); y(0) = 1",
+         "problem 'y' = atan2(0, 0)' at line 1, column 6 takes atan2 of 0 and 0, which has no value: choose another "
+         "number"},
         {"y' = log(-1)*y; y(0) = 1",
          "problem 'y' = log(-1)*y' at line 1, column 6 takes the logarithm of a number that is not positive: choose "
          "another number"},
@@ -260,6 +265,27 @@ TEST_CASE("wrong texts are told the place and the remedy", "[ode][parse]") {
         {"y' = a*y; a = 2*y; y(0) = a", "problem 'a' depends on the solution or on time here: give a number"},
         {"y' = y; k = 1; k = 2; y(0) = 1",
          "problem 'k = 2' at line 1, column 16 gives k a second value, after `k = 1` at line 1: give it only one"},
+        {"x' = y\ny' = -x\nx' = 2*y",
+         "problem 'x' = 2*y' at line 3, column 1 is a second equation for x, in addition to `x' = y` at line 1: give "
+         "it "
+         "only one"},
+        {"x' = if(t > 1 AND t < 2, 1, 2)",
+         "problem 'AND' at line 1, column 15 is not an operator between conditions: write x > 1 and y > 2"},
+        {"x' = if(t > 1 nor t < 2, 1, 2)",
+         "problem 'nor' at line 1, column 15 is not an operator between conditions: write not (x > 1 or y > 2)"},
+        {"x' = if(Not(t > 1), 1, 2)",
+         "problem 'Not' at line 1, column 9 is not an operator between conditions: write not (x > 1)"},
+        {"x' = Not(t)*x; Not = 2",
+         "problem 'Not(' at line 1, column 6 is ambiguous: write x' = Not*(t)*x for a product, "
+         "or for a function one of " +
+             function_names()},
+        {"x' = if(~(t > 1), 1, 2)",
+         "problem '~' at line 1, column 9 is not an operator: write not (t > 1) for ~(t > 1)"},
+        {"x' = if(t ~= 1, 1, 2)", "problem '~=' at line 1, column 11 is not a comparison: write x != 1 for x ~= 1"},
+        {"x' = if(t <> 1, 1, 2)", "problem '<>' at line 1, column 11 is not a comparison: write x != 1 for x <> 1"},
+        {"x' = t % 2", "problem '%' at line 1, column 8 is not an operator: write mod(t, 2) for t % 2"},
+        {"x' = if(t > 1 .And. t < 2, 1, 2)", "problem '.And.' at line 1, column 15 is not an operator: write and"},
+        {"x' = if(t .ge. 1, 1, 2)", "problem '.ge.' at line 1, column 11 is not an operator: write >="},
         {"x' = y; y' = -x\nx = max(0, x); x(0) = 1; y(0) = 0",
          "problem 'x = max(0, x)' at line 2, column 1 is a second equation for x, in addition to `x' = y` at line 1: "
          "give it "
@@ -321,6 +347,9 @@ TEST_CASE("an unknown with the name of a column of tables has another column", "
     CHECK(decay.unknowns() == std::vector<std::string>{"n_"});
     CHECK(renamed_unknowns("n' = -n; n(0) = 1") == std::map<std::string, std::string>{{"n", "n_"}});
     CHECK(renamed_unknowns("N' = -N*n; N(0) = 1; n = 2").empty());
+    CHECK(name_before_renaming("n_") == "n");
+    CHECK(name_before_renaming("count__") == "count");
+    CHECK(name_before_renaming("m_") == "m_");
     CHECK(same_form(parse_condition(decay, "n = 1/2"), unknown("n_") - rational(1, 2)));
     CHECK(changed(decay, "n(0) = 3").starts.front().value.fraction() == rational(3));
     CHECK(same_form(parse_value_at_time(decay, "n(0)").of, unknown("n_")));

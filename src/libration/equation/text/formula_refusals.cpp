@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
+#include <string>
 #include <utility>
 
 #include "formula_parser.hpp"
@@ -21,10 +23,23 @@ std::string function_meant_by(std::string name) {
 
 std::string all_function_names() { return function_names() + " " + written_function_names() + " if piecewise"; }
 
-[[noreturn]] void refuse_exclusive(const token& word) {
-    refuse(word.text, word.at,
-           "is not an operator between conditions: write (x > 1 and not (y > 2)) or (y > 2 and not (x > 1)) for one of "
-           "the two");
+// Throws error for the name of an operator between conditions that other languages have, in any case of letters.
+void refuse_foreign_connective(const token& word) {
+    std::string name = word.text;
+    std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    static const std::map<std::string, std::string> remedies{
+        {"and", "x > 1 and y > 2"},
+        {"or", "x > 1 or y > 2"},
+        {"not", "not (x > 1)"},
+        {"nand", "not (x > 1 and y > 2)"},
+        {"nor", "not (x > 1 or y > 2)"},
+        {"xor", "(x > 1 and not (y > 2)) or (y > 2 and not (x > 1)) for one of the two"}};
+    const auto found = remedies.find(name);
+    // The lower-case names of connectives are operators, unless the problem has a name of that kind.
+    const bool own = name == word.text && (name == "and" || name == "or" || name == "not");
+    if (word.kind == token_kind::name && word.primes == 0 && found != remedies.end() && !own) {
+        refuse(word.text, word.at, "is not an operator between conditions: write " + found->second);
+    }
 }
 
 // The end of the argument at this index, y or (y + 1); the index itself for other tokens.
@@ -68,9 +83,7 @@ std::size_t end_of_argument(const statement& words, std::size_t at) {
 
 void refuse_product(const statement& words, std::size_t second) {
     for (const token& word : {words[second - 1], words[second]}) {
-        if (word.kind == token_kind::name && word.text == "xor") {
-            refuse_exclusive(word);
-        }
+        refuse_foreign_connective(word);
         if (word.kind == token_kind::name && (word.text == "if" || word.text == "else") && word.primes == 0) {
             refuse(word.text, word.at, "is not an operator between values: write if(t > 1, 1, 0)");
         }
@@ -115,9 +128,6 @@ void refuse_without_argument(const statement& words, std::size_t function) {
 
 void refuse_argument(const statement& words, std::size_t name, const known_names& names) {
     const token& word = words[name];
-    if (word.text == "xor") {
-        refuse_exclusive(word);
-    }
     const std::string written = text_of(words, name, name + 1);
     const std::string product = corrected(words, name + 1, name + 1, "*") + " for a product";
     if (names.unknowns.contains(word.text)) {
@@ -128,6 +138,7 @@ void refuse_argument(const statement& words, std::size_t name, const known_names
         refuse(written + "(", word.at,
                "is ambiguous: write " + product + ", or for a function one of " + function_names());
     }
+    refuse_foreign_connective(word);
     const std::string meant = function_meant_by(word.text);
     if (word.text == "DiracDelta" || word.text == "dirac") {
         refuse(written, word.at,

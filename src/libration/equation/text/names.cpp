@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "libration/equation/renamed_unknowns.hpp"
 #include "libration/number/exact_real.hpp"
 #include "written_function.hpp"
 
@@ -220,6 +221,11 @@ std::map<std::string, std::string> renamed_columns(const std::vector<statement>&
         }
     }
     return renamed;
+}
+
+std::string_view name_before_renaming(std::string_view column) {
+    const std::string_view name = column.substr(0, column.find_last_not_of('_') + 1);
+    return is_column(name) ? name : column;
 }
 
 void rename(statement& words, const std::map<std::string, std::string>& names) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include "condition.hpp"
@@ -92,15 +93,20 @@ std::vector<std::string> problem_reader::unused() const {
     const auto of_events = statements_in(events_);
     std::ranges::for_each(all_, count);
     std::ranges::for_each(of_events, count);
-    // A name for an expression may be a quantity to print.
-    const auto names_expression = [&](const std::string& name) {
-        return std::ranges::any_of(all_, [&](const statement& words) {
-            return words.front().text == name && is_definition(words, names_) && depends_on_solution(words);
-        });
+    // A name for an expression, also in terms of other such names, may be a quantity to print.
+    std::set<std::string_view> expressions;
+    const auto is_expression = [&](const statement& words) {
+        return !expressions.contains(words.front().text) && is_definition(words, names_) &&
+               (depends_on_solution(words) || std::ranges::any_of(words, [&](const token& word) {
+                    return word.kind == token_kind::name && expressions.contains(word.text);
+                }));
     };
+    for (auto next = all_.begin(); (next = std::ranges::find_if(all_, is_expression)) != all_.end();) {
+        expressions.insert(next->front().text);
+    }
     std::vector<std::string> found;
     std::ranges::copy_if(names_.parameters, std::back_inserter(found), [&](const std::string& name) {
-        return times[name] == 1 && !names_expression(name) &&
+        return times[name] == 1 && !expressions.contains(name) &&
                std::ranges::find(result_.open, name, &open_parameter::name) == result_.open.end();
     });
     return found;
@@ -152,21 +158,24 @@ void problem_reader::read_start(const statement& words, std::size_t equals) {
 }
 
 void problem_reader::refuse_second_equation() const {
-    const auto begins_with = [](const statement& words, const std::string& name, bool derivative) {
-        return words.size() > 2 && words[0].kind == token_kind::name && words[0].text == name &&
-               (words[0].primes > 0) == derivative && is_symbol(words[1], '=');
-    };
     for (const std::string& name : names_.unknowns) {
-        const auto of_name = [&](bool derivative) {
-            return std::ranges::find_if(all_,
-                                        [&](const statement& words) { return begins_with(words, name, derivative); });
-        };
-        const auto equation = of_name(true);
-        const auto assigned = of_name(false);
-        if (equation != all_.end() && assigned != all_.end()) {
-            refuse(whole(*assigned), assigned->front().at,
-                   "is a second equation for " + name + ", in addition to `" + whole(*equation) + "` at line " +
-                       std::to_string(equation->front().at.line) + ": give it only one");
+        std::vector<const statement*> equations;
+        const statement* assigned = nullptr;
+        for (const statement& words : all_) {
+            if (words.size() > 2 && words[0].kind == token_kind::name && words[0].text == name &&
+                is_symbol(words[1], '=')) {
+                if (words[0].primes > 0) {
+                    equations.push_back(&words);
+                } else {
+                    assigned = assigned == nullptr ? &words : assigned;
+                }
+            }
+        }
+        const statement* const second = assigned != nullptr ? assigned : equations.size() > 1 ? equations[1] : nullptr;
+        if (!equations.empty() && second != nullptr) {
+            refuse(whole(*second), second->front().at,
+                   "is a second equation for " + name + ", in addition to `" + whole(*equations[0]) + "` at line " +
+                       std::to_string(equations[0]->front().at.line) + ": give it only one");
         }
     }
 }

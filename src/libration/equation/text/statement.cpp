@@ -162,12 +162,34 @@ private:
         return rest_.substr(digits).starts_with("..") ? digits : rest_.size();
     }
 
+    // Throws error for the operators of Fortran, .and. and .lt.
+    void refuse_dotted_operator() const {
+        static constexpr std::array<std::pair<std::string_view, std::string_view>, 10> meant{
+            {{".and.", "and"},
+             {".or.", "or"},
+             {".not.", "not"},
+             {".lt.", "<"},
+             {".le.", "<="},
+             {".gt.", ">"},
+             {".ge.", ">="},
+             {".eq.", "=="},
+             {".ne.", "!="},
+             {".xor.", "(x > 1 and not (y > 2)) or (y > 2 and not (x > 1))"}}};
+        const std::string_view written = rest_.substr(0, rest_.find('.', 1) + 1);
+        for (const auto& [dotted, sign] : meant) {
+            if (std::ranges::equal(written, dotted, {}, [](unsigned char c) { return std::tolower(c); })) {
+                refuse(std::string(written), at_, "is not an operator: write " + std::string(sign));
+            }
+        }
+    }
+
     std::size_t read_number(token& made) const {
         std::string_view tail = rest_.substr(0, bytes_before_range());
         const std::size_t bytes = tail.size();
         try {
             const auto number = take_number(tail);
             if (!number) {
+                refuse_dotted_operator();
                 refuse(".", at_, "is not a number: write digits");
             }
             made.kind = token_kind::numeral;
@@ -261,6 +283,9 @@ private:
             made.symbol = range_sign;
             return 2;
         }
+        if (rest_.starts_with("<>")) {
+            refuse("<>", at_, "is not a comparison: write x != 1 for x <> 1");
+        }
         if (rest_.starts_with("<=") || rest_.starts_with(">=")) {
             made.symbol = c.source.front();
             made.or_equal = true;
@@ -307,6 +332,12 @@ private:
             refuse(shown, at_, "does not follow a name: write primes directly after an unknown, as f''");
         }
         switch (c.source.front()) {
+            case '~':
+                if (rest_.starts_with("~=")) {
+                    refuse("~=", at_, "is not a comparison: write x != 1 for x ~= 1");
+                }
+                refuse(shown, at_, "is not an operator: write not (t > 1) for ~(t > 1)");
+            case '%': refuse(shown, at_, "is not an operator: write mod(t, 2) for t % 2");
             case '?': refuse(shown, at_, "is not an operator: write if(t > 1, 1, 0) for t > 1 ? 1 : 0");
             case '{': refuse(shown, at_, "is not a parenthesis here: write (");
             default: refuse(shown, at_, "is not allowed in a problem: write names, numbers, + - * / ^ ( ) = and ;");

@@ -7,6 +7,7 @@
 
 #include "libration/equation/defined_zero.hpp"
 #include "libration/function/function_kind.hpp"
+#include "libration/scalar/error.hpp"
 
 namespace libration::ode {
 
@@ -116,6 +117,9 @@ expression angle(const arguments& of, step_collector* steps) {
     }
     if (is_number(y) && y.constant().sign() != 0) {
         return less(pi_times(rational(y.constant().sign(), 2)), apply(function_kind::atan, written_quotient(x, y)));
+    }
+    if (is_number(x) && is_number(y) && x.constant().sign() == 0) {
+        throw error(error_kind::argument, error_subject::number, "", "takes atan2 of 0 and 0, which has no value");
     }
     const expression half_turn = steps->if_not_negative(y, pi_times(1), pi_times(-1));
     if (is_number(x) && x.constant().sign() < 0) {

@@ -82,8 +82,10 @@ private:
         if (std::ranges::find(contained, e.function()) != contained.end()) {
             return {std::string(name_of(e.function())) + "(" + argument.text + ")"};
         }
+        const bool relative = e.function() == function_kind::cosrel || e.function() == function_kind::exprel;
         refuse_certificate("contains the functions exp, log, sin, cos, sqrt and powers, and these equations have " +
-                               std::string(name_of(e.function())),
+                               std::string(name_of(e.function())) +
+                               (relative ? ", the form of quotients with a removable singularity, as sin(y)/y" : ""),
                            "leave it out");
     }
 
