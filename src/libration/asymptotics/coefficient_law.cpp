@@ -53,7 +53,7 @@ bool is_outside(const complex_ball& place, double rho) {
     return false;
 }
 
-// After a refusal without a given RHO: a circle close behind the nearest singularity.
+// Where no RHO is given and the usual one fails: a circle close behind the nearest singularity.
 std::optional<law_request> smaller_circle(const explicit_system& system, const law_request& asked,
                                           const error& missing) {
     if (asked.within || missing.kind() != error_kind::undecided || has_entire_solutions(system)) {
