@@ -30,6 +30,18 @@ TEST_CASE("verify compares unknowns beyond the end of others that they do not de
     CHECK(rows[1].at("reference").starts_with("-1.5"));
 }
 
+// n = exp(-t), in the column n_ of tables.
+TEST_CASE("tables and --columns accept the name of an unknown in another column", "[command][verify]") {
+    const std::string decay = "n' = -n; n(0) = 1";
+    const auto rows = csv_rows(verify("time,n\n1,0.36787944117\n2,0.12\n", {"--problem", decay}).out);
+    REQUIRE(rows.size() == 2);
+    CHECK(rows[0].at("verdict") == "ok");
+    CHECK(rows[1].at("verdict") == "miss");
+    const auto printed = run_libration(
+        {"reference", "--problem", decay, "--time", "1", "--columns", "n", "--format", "csv", "--digits", "20"});
+    CHECK(printed.out == "n_\n0.36787944117144232160\n");
+}
+
 // sin^2 t + cos^2 t - 1 = 0, which cannot be proved at any precision.
 TEST_CASE("verify accepts a value within its tolerance of a truth that is not told from 0", "[command][verify]") {
     const auto rows = csv_rows(verify("time,y\n1,0\n2,1e-30\n3,1e-10\n",
