@@ -62,7 +62,7 @@ std::optional<law_request> smaller_circle(const explicit_system& system, const l
     try {
         const double nearest = circle_for(system, 0, std::nullopt, asked.watch).nearest;
         law_request smaller = asked;
-        smaller.within = few_bits_between(1.04 * nearest, 1.2 * nearest);
+        smaller.within = few_bits_between(1.02 * nearest, 1.1 * nearest);
         return nearest > 0 ? std::optional(std::move(smaller)) : std::nullopt;
     } catch (const error& none) {
         if (none.kind() != error_kind::undecided) {
