@@ -95,6 +95,8 @@ const std::vector<statement_kind>& statement_kinds() {
         {"start on surface", "solutions from one and from two switching surfaces", 40, ask_surface_start},
         {"emptied store", "levels h with h' = -k h^a until h is 0, and what flows out, near that time and refilled", 20,
          ask_emptied_store},
+        {"several stores", "levels of stores that are empty and refilled one after the other, and at once", 20,
+         ask_several_stores},
         {"oscillation near 0",
          "values of oscillations at their zeros, next to them and with frequencies next to theirs", 20,
          ask_oscillation_zero},

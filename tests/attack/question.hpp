@@ -66,6 +66,7 @@ outcome ask_state_steps(choices& next);
 outcome ask_equality(choices& next);
 outcome ask_surface_start(choices& next);
 outcome ask_emptied_store(choices& next);
+outcome ask_several_stores(choices& next);
 outcome ask_oscillation_zero(choices& next);
 outcome ask_changed_field(choices& next);
 outcome ask_near_times(choices& next);
