@@ -52,7 +52,7 @@ class Workshop:
     def __init__(self, folder, build, shared, limits):
         self.folder, self.build, self.shared = folder, build, shared
         self.limits = limits  # seconds, of each test
-        for room in ("include", "src/libration", "tests"):
+        for room in ("include", "src/libration", "tests", "studies/population"):
             shutil.copytree(ROOT / room, folder / room)
 
     def compile(self, source, target):

@@ -111,17 +111,27 @@ std::optional<exponent_estimate> amplitude_of(std::span<const mpfr> b, const kno
     const auto orders = factors(b, at);
     const auto shorter = factors(b.first(b.size() * 12 / 17), at);
     const auto shortest = factors(b.first(b.size() / 2), at);
-    const auto change = [](const auto& each) { return mpfr(abs(each.first - each.second)); };
-    const auto best = std::ranges::min_element(orders, {}, change);
-    const auto i = static_cast<std::size_t>(best - orders.begin());
-    if (i >= std::min({orders.size(), shorter.size(), shortest.size()})) {
+    const std::size_t count = std::min({orders.size(), shorter.size(), shortest.size()});
+    if (count == 0) {
         return std::nullopt;
     }
-    exponent_estimate found{best->first, change(*best)};
-    for (const std::size_t near : {i - 1, i + 1}) {
-        if (near < orders.size()) {
-            found.uncertainty = std::max(found.uncertainty, mpfr(abs(found.value - orders[near].first)));
+    const auto change = [&](std::size_t k) { return mpfr(abs(orders[k].first - orders[k].second)); };
+    // Of two families of powers, every second one may change nothing.
+    const std::size_t reach = at.second ? 2 : 1;
+    const auto largest_change = [&](std::size_t k) {
+        mpfr largest = change(k);
+        for (std::size_t j = k; j-- > 0 && k - j <= reach;) {
+            largest = std::max(largest, change(j));
         }
+        return largest;
+    };
+    std::size_t i = 0;
+    for (std::size_t k = 1; k < count; ++k) {
+        i = largest_change(k) < largest_change(i) ? k : i;
+    }
+    exponent_estimate found{orders[i].first, change(i)};
+    for (std::size_t near = i - std::min(i, reach); near < std::min(i + reach + 1, orders.size()); ++near) {
+        found.uncertainty = std::max(found.uncertainty, mpfr(abs(found.value - orders[near].first)));
     }
     found.uncertainty *= 4;
     found.uncertainty =
@@ -132,7 +142,12 @@ std::optional<exponent_estimate> amplitude_of(std::span<const mpfr> b, const kno
     if (!at.is_logarithm) {
         shifted.exponent.value += t.uncertainty;
     }
-    for (const auto& each : {moved, shifted}) {
+    known_power beside = at;
+    if (at.second) {
+        constexpr double least = 1e-13;  // it is a double
+        beside.second = *at.second + std::max(least, 10 * t.uncertainty.convert_to<double>());
+    }
+    for (const auto& each : {moved, shifted, beside}) {
         const auto others = factors(b, each);
         if (i >= others.size()) {
             return std::nullopt;
