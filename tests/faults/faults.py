@@ -1340,7 +1340,7 @@ FAULTS = [
     *in_file(
         "src/libration/convergence/amplitude.cpp", ["convergence/amplitude_test.cpp"],
         ("an amplitude of another exponent", "mpfr(k - power) : mpfr(k - t)", "mpfr(k - power) : mpfr(k - t - 1)"),
-        ("the second of two confluent powers forgotten", "if (at.second) {", "if (false) {"),
+        ("the second of two confluent powers forgotten", "if (at.second) {\n            exponents", "if (false) {\n            exponents"),
     ),
     *in_file(
         "src/libration/convergence/cluster_answer.cpp", ["convergence/verdict_test.cpp"],
