@@ -45,7 +45,8 @@ TEST_CASE("amplitudes are limits of the functions divided by the singular power"
     check_amplitude(odd, mpfr(1), 1e-5);
 }
 
-// e^x (1 - x)^t + c (1 - x)^s: e. A coefficient divided by that of (1 - x)^t approaches it like n^(t - s).
+// e^x (1 - x)^t + c (1 - x)^s: e. A coefficient divided by that of (1 - x)^t approaches it like n^(t - s): without the terms
+// of the second power the amplitude would have one or two digits.
 TEST_CASE("two confluent powers have both exponents and the amplitude of the first", "[convergence][amplitude]") {
     const precision_scope scope(180);
     constexpr int n = 60;

@@ -1,4 +1,4 @@
-// Several stores with constant outflows, empty at different or equal times and refilled, one of them fed by another.
+// Several stores with constant outflows, empty at different or equal times and refilled; what flows out of one is collected.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -57,11 +57,9 @@ outcome ask_several_stores(choices& next) {
         question.problem +=
             fmt::format("{}{}' = {} - {}; {}(0) = {}", i == 0 ? "" : "; ", name, in, out, name, as_typed(store.start));
         question.unknowns.push_back({name, {[=] { return real(store.level(time)); }}});
-        if (i == 0 && next.one_in(2)) {  // what flows out of it is collected
-            question.problem += fmt::format("; Q' = {}; Q(0) = 0", store.before == 0 ? out : "2*" + out);
-            if (store.before == 0 && time <= store.change) {
-                question.unknowns.push_back({"Q", {[=] { return real(rational(store.start - store.level(time))); }}});
-            }
+        if (i == 0 && store.before == 0 && time <= store.change) {
+            question.problem += fmt::format("; Q' = {}; Q(0) = 0", out);
+            question.unknowns.push_back({"Q", {[=] { return real(rational(store.start - store.level(time))); }}});
         }
     }
     return asked_program(question);
